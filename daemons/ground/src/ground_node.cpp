@@ -49,6 +49,8 @@ GroundNode::GroundNode(const gs::GroundConfig& config, world::Terrain terrain, n
   std::vector<std::string> uavs;
   for (const gs::GroundUav& uav : config.uavs) uavs.push_back(uav.name);
   team_.emplace(*team, "ground", config.missions, std::move(uavs));
+  for (const gs::GroundUav& uav : config.uavs)
+    team_->handle(gs::DegreeChanged{uav.name, uav.degree}, MissionTime());
 }
 
 node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {

@@ -59,7 +59,11 @@ void GroundNode::tell_or_do(const Effect& effect) {
 void GroundNode::tell_control(const Input& input) {
   const auto effects = control_.handle(input, now_);
   happened_ = happened_ || !effects.empty();
-  for (const auto& effect : effects) tell_or_do(effect);
+  for (const auto& effect : effects) {
+    tell_or_do(effect);
+    const auto* degree = std::get_if<gs::DegreeChanged>(&effect);
+    if (degree != nullptr && team_) tell_team(*degree);
+  }
 }
 
 void GroundNode::tell_team(const gs::TeamDesk::Input& input) {

@@ -5,6 +5,7 @@
 
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/overloaded.hpp"
+#include "skein/mission/degree.hpp"
 
 namespace skein::ground_station {
 
@@ -62,6 +63,7 @@ void TeamDesk::accept(const GiveGlobalMission& given, MissionTime now, Effects& 
   for (const team::GlobalTask& task : mission.tasks) {
     open_[mission.id].insert(task.task.id);
     after_[task.task.id] = task.after;
+    if (task.by) pinned_[task.task.id] = *task.by;
     tasks_.insert(task.task.id);
   }
   waiting_[mission.id] = mission;
@@ -83,6 +85,20 @@ void TeamDesk::accept(const PlaceKnown& known, MissionTime now, Effects& out) {
   std::vector<mission::MissionId> missions;
   for (const auto& [id, mission] : waiting_) missions.push_back(id);
   for (const mission::MissionId id : missions) give_what_may(id, now, out);
+}
+
+void TeamDesk::accept(const DegreeChanged& changed, MissionTime, Effects&) {
+  degrees_.erase(changed.uav);
+  if (!mission::allocates(changed.degree)) degrees_[changed.uav] = changed.degree;
+}
+
+/// Empty: it bids, or the task is pinned to nobody.
+std::string TeamDesk::why_pinned_does_not_bid(mission::GoalId task) const {
+  const auto pinned = pinned_.find(task);
+  const auto degree = pinned == pinned_.end() ? degrees_.end() : degrees_.find(pinned->second);
+  if (degree == degrees_.end()) return "";
+  return degree->first + ", which it is pinned to, does not bid at degree " +
+         std::to_string(degree->second);
 }
 
 std::set<mission::GoalId> TeamDesk::not_yet(const team::GlobalMission& mission) const {
@@ -148,12 +164,21 @@ void TeamDesk::tell_member(const auction::TeamInput& input, MissionTime now, Eff
   }
 }
 
+/// What is pinned to one whose degree is low is no end: the operator has both in hand.
+void TeamDesk::count_refusals(team::TaskStanding& standing) {
+  const std::string low = why_pinned_does_not_bid(standing.task);
+  if (standing.stage != auction::Stage::kUnsold) {
+    if (standing.stage != auction::Stage::kForSale) refused_.erase(standing.task);
+  } else if (low.empty()) {
+    ++refused_[standing.task];
+  } else {
+    standing.why += "; " + low;
+  }
+}
+
 void TeamDesk::tell_news(Effects& out) {
   for (team::TaskStanding& standing : ownership_.news(member_.ledger())) {
-    if (standing.stage == auction::Stage::kUnsold)
-      ++refused_[standing.task];
-    else if (standing.stage != auction::Stage::kForSale)
-      refused_.erase(standing.task);
+    count_refusals(standing);
     if (standing.stage == auction::Stage::kDone) {
       for (auto& [mission, open] : open_) {
         if (open.erase(standing.task) == 0 || !open.empty()) continue;

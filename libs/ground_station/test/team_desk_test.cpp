@@ -184,6 +184,34 @@ TEST(TeamDesk, WhatNobodyCanDoWhenItIsCalledAgainEndsTheMissionWithEachReason) {
   EXPECT_THAT(stands(Stage::kUnsold, Stage::kDone), SizeIs(1));
 }
 
+// Found by reading: the mission was over while its operator had the UAV in hand.
+TEST(TeamDesk, WhatIsPinnedToOneWhoseDegreeIsLowWaitsForItAndSaysSo) {
+  TeamDesk ground = desk();
+  ground.handle(DegreeChanged{"heliv", 3}, at(0));
+  GiveGlobalMission give = mission_of(1, 11);
+  give.mission.tasks[0].by = "heliv";
+  ground.handle(give, at(1));
+  std::uint64_t revision = 0;
+  const auto stands = [&](auction::Stage stage) {
+    ++revision;
+    return ground.handle(beat(stage, revision), at(2.0 + static_cast<double>(revision)));
+  };
+  using auction::Stage;
+
+  for (int call = 0; call < 3; ++call) {
+    const auto unsold = stands(Stage::kUnsold);
+    EXPECT_THAT(all<GlobalMissionChanged>(unsold), IsEmpty());
+    ASSERT_THAT(all<TeamTaskChanged>(unsold), SizeIs(1));
+    EXPECT_THAT(all<TeamTaskChanged>(unsold)[0].standing.why,
+                HasSubstr("heliv, which it is pinned to, does not bid at degree 3"));
+    stands(Stage::kForSale);
+  }
+  ground.handle(DegreeChanged{"heliv", 5}, at(20));
+  EXPECT_THAT(all<GlobalMissionChanged>(stands(Stage::kUnsold)), IsEmpty());
+  stands(Stage::kForSale);
+  EXPECT_THAT(all<GlobalMissionChanged>(stands(Stage::kUnsold)), SizeIs(1));
+}
+
 // What this member still has to say to the holder, by numbers of tasks.
 std::vector<std::vector<std::uint64_t>> lots_of(const auction::Status& status) {
   std::vector<std::vector<std::uint64_t>> lots;

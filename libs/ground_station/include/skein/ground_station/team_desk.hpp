@@ -43,7 +43,8 @@ struct PlaceKnown {
 /// spec 6.3; docs/decisions/0018-degree-5.md.
 class TeamDesk {
  public:
-  using Input = std::variant<TeamHeard, GiveGlobalMission, DeclareLost, PlaceKnown, Tick>;
+  using Input =
+      std::variant<TeamHeard, GiveGlobalMission, DeclareLost, PlaceKnown, DegreeChanged, Tick>;
   using Effect = std::variant<TeamTell, TeamTaskChanged, GlobalMissionChanged, TeamSaleTold,
                               TeamTokenChanged, Anomaly>;
 
@@ -64,9 +65,12 @@ class TeamDesk {
   void accept(const GiveGlobalMission& given, MissionTime now, Effects& out);
   void accept(const DeclareLost& lost, MissionTime now, Effects& out);
   void accept(const PlaceKnown& known, MissionTime now, Effects& out);
+  void accept(const DegreeChanged& changed, MissionTime now, Effects& out);
+  std::string why_pinned_does_not_bid(mission::GoalId task) const;
   std::set<mission::GoalId> not_yet(const team::GlobalMission& mission) const;
   void give_what_may(mission::MissionId id, MissionTime now, Effects& out);
   void tell_member(const auction::TeamInput& input, MissionTime now, Effects& out);
+  void count_refusals(team::TaskStanding& standing);
   void tell_news(Effects& out);
   void tell_hopeless(Effects& out);
   std::set<mission::GoalId> hopeless_of(const std::set<mission::GoalId>& open) const;
@@ -78,8 +82,10 @@ class TeamDesk {
   team::Ownership ownership_;
   std::map<mission::MissionId, std::set<mission::GoalId>> open_;   ///< of missions given here
   std::map<mission::GoalId, std::vector<mission::GoalId>> after_;  ///< what a task comes after
-  std::map<mission::GoalId, int> refused_;  ///< how often nobody could, one after another
-  std::set<mission::MissionId> hopeless_;   ///< of which it is said that nobody can
+  std::map<mission::GoalId, std::string> pinned_;  ///< to this UAV alone, by the operator
+  std::map<std::string, Degree> degrees_;          ///< of those that do not bid for it
+  std::map<mission::GoalId, int> refused_;         ///< how often nobody could, one after another
+  std::set<mission::MissionId> hopeless_;          ///< of which it is said that nobody can
   std::set<mission::MissionId> given_;
   /// What of them names alarms that are not known yet, and what comes after that.
   std::map<mission::MissionId, team::GlobalMission> waiting_;
