@@ -21,8 +21,9 @@ std::optional<node::Effects> AirDesk::hear(const node::Input& input, MissionTime
   node::Effects effects;
   const auto message = translation::from_wire(*told);
   if (!message) return effects;
-  if (const auto reply = witness_.hear(roster_.name_of(received->from), *message, now))
-    effects.push_back(node::Send{received->from, translation::to_wire(*reply)});
+  for (const auto& answer : witness_.hear(roster_.name_of(received->from), *message, now))
+    effects.push_back(
+        node::Send{roster_.find(answer.to)->number, translation::to_wire(answer.message)});
   return effects;
 }
 

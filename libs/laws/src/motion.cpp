@@ -91,7 +91,8 @@ void given_up_in_vain(const History& history, const Uav& uav, std::vector<Violat
   constexpr double kLongest = 1500;  // [s] of a goal, in all: three tries, and flights aside
   std::map<std::int64_t, double> waited;
   for (const auto& [task, motion] : uav.executions) {
-    if (motion.started == kNever || motion.type != "goto" || begun(uav, motion) != kNever) continue;
+    const bool may_be_given_up = motion.type == "goto" || motion.type == "takeoff";
+    if (motion.started == kNever || !may_be_given_up || begun(uav, motion) != kNever) continue;
     if (const std::int64_t goal = uav.goal_of_task(task); goal != 0)
       waited[goal] += history.joint.up_for(uav.name(), "ground", motion.started,
                                            std::min(motion.over, history.end));

@@ -3,19 +3,15 @@
 
 #include <algorithm>
 
+#include "keeps_from.hpp"
 #include "skein/foundation/contract.hpp"
 
 namespace skein::merging {
 
 namespace {
 
-constexpr const char* kToLeave = "to leave";
-constexpr const char* kToGoFirst = "to go first, it has waited long";
-constexpr const char* kToBeAnswered = "to be answered itself";
-
 constexpr Duration kClocksApart = Duration::milliseconds(1'000);  ///< of two members, at the most
 
-/// Numbers go on rising in the life after one that is forgotten.
 std::uint64_t milliseconds(MissionTime now) {
   return static_cast<std::uint64_t>(std::max<std::int64_t>(now.count(), 0)) / 1'000'000;
 }
@@ -25,6 +21,10 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }
 
 }  // namespace
+
+std::uint64_t Merger::Rising::next(MissionTime now) {
+  return last = std::max(last + 1, milliseconds(now));
+}
 
 Merger::Merger(std::vector<std::string> members, const std::string& self, Limits limits,
                const std::string& witness)
@@ -48,6 +48,7 @@ Effects Merger::handle(const Input& input, MissionTime now) {
   const bool says = !held_.empty() || waits();
   if (changed_ || (says && now_ >= said_ + limits_.beat)) tell_all();
   if (request_ != 0 && now_ >= asked_ + limits_.repeat) ask_again();
+  if (request_ == 0 && standby_.is_due(now_)) tell_witness(false);
   return std::move(out_);
 }
 
@@ -55,6 +56,7 @@ std::optional<MissionTime> Merger::next_wakeup() const {
   std::optional<MissionTime> next;
   if (!held_.empty() || waits()) next = said_ + limits_.beat;
   if (request_ != 0) return earliest(next, std::min(deadline_, asked_ + limits_.repeat));
+  if (third_ && third_->reachable) next = earliest(next, standby_.due());
   if (!waits()) return next;
   if (pause_ > now_) next = earliest(next, pause_);
   if (circle_since_) next = earliest(next, std::max(now_, *circle_since_) + limits_.circle);
@@ -71,6 +73,11 @@ void Merger::on(const FirstLife&) {
 void Merger::hear_witness(const Message& message) {
   if (message.number <= third_->number) return;
   third_->number = message.number;
+  if (standby_.request() != 0 && message.answered == standby_.request()) {
+    standby_.answered(message.granted, now_);
+    if (!message.granted) tell_witness(false);
+    return;
+  }
   if (request_ == 0 || message.answered != request_) return;
   third_->agreed = message.granted;
   third_->refusers = message.claim.waits_for;
@@ -111,7 +118,7 @@ void Merger::answer(Peer& peer) {
   const std::uint64_t request = peer.claim.request;
   if ((peer.earlier && !third_) || request == 0 || request == peer.answered) return;
   if (may_have_been_promised(request)) return;
-  const bool has = overlap(held_, peer.claim.wanted);
+  const bool has = keeps_from(held_, peer.claim.wanted, peer.claim.held);
   const bool asks = request_ != 0 && overlap(choices_[choice_], peer.claim.wanted);
   peer.answered = request;
   peer.granted = !has && (!asks || peer.earlier);
@@ -159,10 +166,16 @@ void Merger::on(const Hold& hold) {
   changed_ = true;
 }
 
+void Merger::on(const Need& need) {
+  if (!third_ || need.volumes == standby_.volumes()) return;
+  standby_.need(need.volumes, now_);
+  tell_witness(false);
+}
+
 // ---- what it wants ----
 
 bool Merger::has(const Peer& peer, const Volumes& volumes) const {
-  if (overlap(volumes, peer.claim.held)) return true;
+  if (keeps_from(peer.claim.held, volumes, held_)) return true;
   if (peer.claim.request == 0) return false;
   const bool granted =
       (!peer.earlier || third_) && peer.granted && peer.answered == peer.claim.request;
@@ -185,10 +198,6 @@ bool Merger::may_agree(const Peer& peer) const {
 /// In a life before this: requests have the time at which they were opened.
 bool Merger::may_have_been_promised(std::uint64_t request) const {
   return third_ && !first_life_ && request < milliseconds(*begun_ + kClocksApart);
-}
-
-bool Merger::has_agreed(const Peer& peer) const {
-  return !needs(peer) || peer.agreed || (third_ && third_->agreed && peer.known);
 }
 
 bool Merger::presses(const std::optional<MissionTime>& since) const {
@@ -240,50 +249,42 @@ Volumes Merger::ends() const {
   return all;
 }
 
-std::vector<std::string> Merger::awaited() const {
-  std::vector<std::string> names;
-  for (const Waits::Why& why : told_)
-    if (why.why == kToLeave) names.push_back(why.peer);
-  return names;
-}
-
-std::vector<std::string> Merger::in_its_way() const {
-  std::vector<std::string> names;
-  for (const Waits::Why& why : told_)
-    if (why.why == kToLeave || why.why == kToGoFirst) names.push_back(why.peer);
-  return names;
-}
-
-std::vector<Merger::Waiter> Merger::waiters() const {
-  std::vector<Waiter> all;
-  for (const auto& [name, peer] : peers_) {
-    const std::vector<std::string>& for_whom = peer.claim.waits_for;
-    if (std::find(for_whom.begin(), for_whom.end(), self_) == for_whom.end()) continue;
-    if (!overlap(held_, peer.claim.wanted)) continue;
-    all.push_back({name, overlap({held_.back()}, peer.claim.wanted)});
-  }
-  return all;
-}
-
 void Merger::advance() {
   if (!waits()) return;
   if (request_ != 0) {
-    const bool all = std::all_of(peers_.begin(), peers_.end(),
-                                 [&](const auto& one) { return has_agreed(one.second); });
+    const bool all = std::all_of(peers_.begin(), peers_.end(), [&](const auto& one) {
+      const Peer& peer = one.second;
+      return !needs(peer) || peer.agreed || (third_ && third_->agreed && peer.known);
+    });
     if (all) return grant();
     if (now_ < deadline_) return;
     close(limits_.patience);
   }
-  if (now_ >= pause_ && ask()) return;
+  const bool can_ask = std::all_of(peers_.begin(), peers_.end(),
+                                   [&](const auto& one) { return may_agree(one.second); });
+  if (!can_ask && take_what_is_kept()) return;
+  if (can_ask && now_ >= pause_ && ask()) return;
   say_waits();
   look_for_circle();
 }
 
+/// It can ask nobody. None can have that air but by its own word, and so as it knows.
+bool Merger::take_what_is_kept() {
+  if (!standby_.kept() || third_->reachable) return false;
+  for (choice_ = 0; choice_ < choices_.size(); ++choice_) {
+    const Volumes& volumes = choices_[choice_];
+    const bool free = std::all_of(peers_.begin(), peers_.end(), [&](const auto& one) {
+      return one.second.known && !has(one.second, volumes);
+    });
+    if (!free || !standby_.keeps(volumes)) continue;
+    grant();
+    return true;
+  }
+  return false;
+}
+
 /// Asks for the first choice that nobody it knows of has; at once granted where nobody is earlier.
 bool Merger::ask() {
-  const bool possible = std::all_of(peers_.begin(), peers_.end(),
-                                    [&](const auto& one) { return may_agree(one.second); });
-  if (!possible) return false;
   for (choice_ = 0; choice_ < choices_.size(); ++choice_) {
     const Volumes& volumes = choices_[choice_];
     const bool free = std::none_of(peers_.begin(), peers_.end(), [&](const auto& one) {
@@ -298,7 +299,7 @@ bool Merger::ask() {
     grant();
     return true;
   }
-  request_ = last_request_ = std::max(last_request_ + 1, milliseconds(now_));
+  request_ = requests_.next(now_);
   deadline_ = now_ + limits_.patience;
   for (auto& [name, peer] : peers_) peer.agreed = false;
   if (third_) third_->agreed = false;
@@ -325,92 +326,6 @@ void Merger::grant() {
   out_.push_back(Granted{choice_});
 }
 
-// ---- what it waits for ----
-
-std::vector<Waits::Why> Merger::whys() const {
-  std::vector<Waits::Why> result;
-  const Volumes& first = choices_.front();
-  for (const auto& [name, peer] : peers_) {
-    if (has(peer, first)) {
-      result.push_back({name, kToLeave});
-    } else if (!may_agree(peer) || (third_ && !peer.heard && peer.reachable)) {
-      result.push_back({name, peer.reachable ? "to tell what it has" : "to come into reach"});
-    } else if (third_ && contains(third_->refusers, name)) {
-      result.push_back({name, kToLeave});
-    } else if (asks_for(peer, first)) {
-      result.push_back({name, kToBeAnswered});
-    } else if (yields_to(peer, first)) {
-      result.push_back({name, kToGoFirst});
-    }
-  }
-  return result;
-}
-
-void Merger::say_waits() {
-  const std::vector<Waits::Why> now = whys();
-  if (now == told_ || now.empty()) return;
-  told_ = now;
-  changed_ = true;
-  out_.push_back(Waits{now});
-}
-
-/// Whoever finds no place aside still waits for what it wants afterwards: the next of the circle
-/// sees that it stands.
-std::vector<std::string> Merger::waits_for() const {
-  std::vector<std::string> names = in_its_way();
-  for (const auto& [name, peer] : peers_) {
-    const bool stands = has(peer, afterwards_) || yields_to(peer, afterwards_);
-    if (stands && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  }
-  return names;
-}
-
-/// From itself along who waits for whom, back to itself; empty: there is none.
-std::vector<std::string> Merger::circle() const {
-  std::vector<std::string> way;
-  std::map<std::string, bool> seen;
-  const auto walk = [&](const auto& self, const std::string& name,
-                        const std::vector<std::string>& next) -> bool {
-    way.push_back(name);
-    for (const std::string& one : next) {
-      if (one == self_) return true;
-      const auto peer = peers_.find(one);
-      if (peer == peers_.end() || seen[one]) continue;
-      seen[one] = true;
-      if (self(self, one, peer->second.claim.waits_for)) return true;
-    }
-    way.pop_back();
-    return false;
-  };
-  walk(walk, self_, waits_for());
-  return way;
-}
-
-/// Whoever presses moves last, and of the others the last of the roster first.
-bool Merger::moves_before_this(const Peer& peer) const {
-  if (presses(peer.wants_since) || presses(wants_since_)) return !waits_longer(peer);
-  return !peer.earlier;
-}
-
-/// One has to move; when that does not help, the next.
-void Merger::look_for_circle() {
-  const std::vector<std::string> found = circle();
-  if (found.empty()) return circle_since_.reset();
-  if (!circle_since_) circle_since_ = now_;
-  std::int64_t before = 0;
-  bool all_hear = true;
-  for (const std::string& one : found) {
-    const auto peer = peers_.find(one);
-    if (peer == peers_.end()) continue;
-    if (moves_before_this(peer->second)) ++before;
-    all_hear = all_hear && peer->second.reachable;
-  }
-  const Duration patience = limits_.circle + Duration::nanoseconds(before * limits_.next.count());
-  if (now_ < *circle_since_ + patience || now_ < moved_aside_) return;
-  moved_aside_ = now_ + limits_.moves;
-  out_.push_back(MoveAside{found, !all_hear});
-}
-
 // ---- what it says ----
 
 Claim Merger::claim() const {
@@ -424,14 +339,27 @@ Claim Merger::claim() const {
 void Merger::tell(const std::string& name, bool asks) {
   const Peer& peer = peers_.at(name);
   if (!peer.reachable) return;
-  number_ = std::max(number_ + 1, milliseconds(now_));
-  out_.push_back(Tell{name, Message{number_, claim(), peer.answered, peer.granted, asks}});
+  out_.push_back(
+      Tell{name, Message{numbers_.next(now_), claim(), peer.answered, peer.granted, asks}});
 }
 
+/// One request at a time: what is asked for now, or else what is to be kept.
 void Merger::tell_witness(bool asks) {
   if (!third_ || !third_->reachable) return;
-  number_ = std::max(number_ + 1, milliseconds(now_));
-  out_.push_back(Tell{third_->name, Message{number_, claim(), 0, false, asks}});
+  Claim told = claim();
+  bool keeps = false;
+  if (request_ != 0) {
+    standby_.replace(now_);
+  } else {
+    if (standby_.is_due(now_)) standby_.ask(requests_.next(now_), now_);
+    keeps = standby_.request() != 0;
+    if (keeps) {
+      told.request = standby_.request();
+      told.wanted = standby_.volumes();
+      asks = !standby_.kept();
+    }
+  }
+  out_.push_back(Tell{third_->name, Message{numbers_.next(now_), std::move(told), 0, keeps, asks}});
 }
 
 /// The witness is told what changes, and asked; it needs no beat.

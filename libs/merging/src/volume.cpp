@@ -22,6 +22,14 @@ bool overlap(const Volumes& some, const Volumes& others) {
   });
 }
 
+bool contains(const Volume& outer, const Volume& inner) {
+  if (inner.floor < outer.floor || inner.ceiling > outer.ceiling) return false;
+  const auto near = [&](const world::Vector2& end) {
+    return world::between_segments(outer.from, outer.to, end, end) + inner.radius <= outer.radius;
+  };
+  return near(inner.from) && near(inner.to);
+}
+
 world::Volume closed_around(const Volume& volume, double wider, double higher) {
   constexpr int kSides = 6;  // of each end
   constexpr double kHalf = std::numbers::pi / 2 / kSides;

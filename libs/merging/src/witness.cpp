@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "keeps_from.hpp"
+
 namespace skein::merging {
 
 namespace {
@@ -21,22 +23,42 @@ void Witness::begin(bool first, MissionTime now) {
   begun_ = now;
 }
 
-std::optional<Message> Witness::hear(const std::string& from, const Message& message,
-                                     MissionTime now) {
+std::vector<Witness::Answer> Witness::hear(const std::string& from, const Message& message,
+                                           MissionTime now) {
   const auto found = records_.find(from);
-  if (found == records_.end()) return std::nullopt;
-  if (!first_life_ && now < begun_ + kUnderWay) return std::nullopt;
+  if (found == records_.end()) return {};
+  if (!first_life_ && now < begun_ + kUnderWay) return {};
   Record& record = found->second;
-  if (message.number <= record.number) return std::nullopt;
+  if (message.number <= record.number) return {};
   take(record, message);
   answer(from, record);
   const std::uint64_t request = record.claim.request;
-  if (!message.asks || request == 0 || record.answered != request) return std::nullopt;
+  if (!message.asks || request == 0 || record.answered != request) return {};
+  std::vector<Answer> answers{answer_to(from, request, record.granted, now)};
+  if (record.granted) return answers;
+  answers.front().message.claim.waits_for = refusers_;
+  if (record.keeps) return answers;
+  for (const std::string& name : refusers_) {
+    const Record& other = records_.at(name);
+    if (is_kept_for(other, record.claim.wanted))
+      answers.push_back(answer_to(name, other.claim.request, false, now));
+  }
+  return answers;
+}
+
+Witness::Answer Witness::answer_to(const std::string& to, std::uint64_t request, bool granted,
+                                   MissionTime now) {
   const auto milliseconds = std::max<std::int64_t>(now.count(), 0) / 1'000'000;
   number_ = std::max(number_ + 1, static_cast<std::uint64_t>(milliseconds));
-  Message reply{number_, {}, request, record.granted, false};
-  if (!record.granted) reply.claim.waits_for = refusers_;
-  return reply;
+  return {to, Message{number_, {}, request, granted, false}};
+}
+
+/// It does not fly there now, as far as is known here, and may do without. Until it says so it is
+/// kept all the same.
+bool Witness::is_kept_for(const Record& record, const Volumes& volumes) const {
+  const std::uint64_t request = record.claim.request;
+  const bool promised = request != 0 && record.answered == request && record.granted;
+  return record.keeps && promised && overlap(volumes, record.claim.wanted);
 }
 
 void Witness::take(Record& record, const Message& message) {
@@ -44,6 +66,7 @@ void Witness::take(Record& record, const Message& message) {
   record.heard = true;
   record.number = message.number;
   record.claim = message.claim;
+  record.keeps = message.granted;
 }
 
 /// Once for each request that was granted; one that was refused is given up by who asked, and may
@@ -54,17 +77,17 @@ void Witness::answer(const std::string& from, Record& record) {
   if (request == 0 || promised || request == record.unsure || !remembers()) return;
   refusers_.clear();
   for (const auto& [name, other] : records_)
-    if (name != from && may_have(other, record.claim.wanted)) refusers_.push_back(name);
+    if (name != from && may_have(other, record.claim)) refusers_.push_back(name);
   record.answered = request;
   record.granted = refusers_.empty();
 }
 
-bool Witness::may_have(const Record& record, const Volumes& volumes) const {
-  if (overlap(volumes, record.claim.held)) return true;
+bool Witness::may_have(const Record& record, const Claim& asks) const {
+  if (keeps_from(record.claim.held, asks.wanted, asks.held)) return true;
   const std::uint64_t request = record.claim.request;
   const bool promised = record.answered == request && record.granted;
   return request != 0 && (promised || request == record.unsure) &&
-         overlap(volumes, record.claim.wanted);
+         overlap(asks.wanted, record.claim.wanted);
 }
 
 /// All have told it what they have in this life, or there was none before.

@@ -121,6 +121,26 @@ TEST(Merger, ThreeInARowLeaveNobodyWaitingForTwo) {
 
 // ---- the radio ----
 
+// Found by random missions (--mixed 8): it stood where another circled that had flown there
+// unasked, and could not leave.
+TEST(Merger, WhereAnotherFlewUnaskedOneMayLeaveAtTheHeightWhereItIs) {
+  for (const auto& [stands, flies] : {std::pair("a", "b"), std::pair("b", "a")}) {
+    Net net({"a", "b", "c"});
+    const Volume here{{0, 0}, {0, 0}, 10, 30, 50};
+    net.stands(stands, here);
+    net.stands(flies, {{40, 0}, {40, 0}, 100, 45, 80});
+    net.run_for(2);
+    net.wants(stands, {{{{0, 0}, {60, 0}, 10, 30, 60}, {{60, 0}, {200, 0}, 10, 30, 50}}});
+    net.wants("c", {{{{0, 50}, {60, 50}, 10, 30, 50}}});
+    net.run_for(5);
+    EXPECT_FALSE(net.has_what_it_wanted(stands)) << "nearer to the other";
+    EXPECT_FALSE(net.has_what_it_wanted("c")) << "it was not there";
+    net.wants(stands, {{{{0, 0}, {60, 0}, 10, 30, 50}, {{60, 0}, {200, 0}, 10, 30, 50}}});
+    net.run_for(5);
+    EXPECT_TRUE(net.has_what_it_wanted(stands));
+  }
+}
+
 TEST(Merger, ACutKeepsTheLaterFromNewAirAndTheEarlierFromNothing) {
   Net net({kA, kB});
   net.run_for(0.1);

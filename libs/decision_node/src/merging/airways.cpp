@@ -196,6 +196,10 @@ Result<Airways, Failure> airways_of(const functional::Request& request, bool at_
       *task);
 }
 
+merging::Volume landing_at(const Vector3& place, const Margins& margins) {
+  return column(place.head<2>(), kUnderground, place.z(), margins);
+}
+
 std::optional<Airway> way_around(const functional::Request& request, const merging::Volumes& taken,
                                  const MergingConfig& config, const AirwaySituation& situation,
                                  const world::World& world) {

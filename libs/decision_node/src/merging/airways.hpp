@@ -47,6 +47,9 @@ bool is_done_in_place(const functional::Request& request);
 Result<Airways, Failure> airways_of(const functional::Request& request, bool at_any_height,
                                     const MergingConfig& config, const AirwaySituation& situation);
 
+/// What a landing takes that begins there. Cost: constant.
+merging::Volume landing_at(const world::Vector3& place, const merging::Margins& margins);
+
 /// A flight to where the motion leads along a way that keeps out of `taken`, the air of others.
 /// Nothing: it is no flight, or none such is known. Cost: that of refiners::refine(PathQuery).
 std::optional<Airway> way_around(const functional::Request& request, const merging::Volumes& taken,

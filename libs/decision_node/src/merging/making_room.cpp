@@ -15,6 +15,10 @@ namespace {
 /// Who stays with nothing to do, and has been wanted away for so long, makes room.
 constexpr Duration kMakesRoom = Duration::milliseconds(1'000);
 
+/// Who waits for its air over where another is to take off or land gets out of the way after so
+/// long.
+constexpr Duration kLeavesPad = Duration::milliseconds(10'000);
+
 /// Of the UAV's own, for want of anything else.
 bool waits_safely(Core& core, const executive::TaskStatus& task) {
   return task.type == "wait" && task.id < functional::kFirstRoleId && !is_terminal(task.state) &&
@@ -36,11 +40,22 @@ std::vector<executive::TaskStatus> safe_waits(Core& core) {
   return waits;
 }
 
-/// Another one waits for it to leave where it stays.
-bool is_in_the_way(const merging::Merger& merger) {
+/// Another one waits for it to leave where it stays: somewhere in all that it had, when it circles
+/// since it was stopped.
+bool is_in_the_way(const merging::Merger& merger, bool somewhere) {
   const auto waiters = merger.waiters();
   return std::any_of(waiters.begin(), waiters.end(),
-                     [](const auto& one) { return one.for_its_place; });
+                     [&](const auto& one) { return somewhere || one.for_its_place; });
+}
+
+/// Those who wait for it to leave want air down to the ground where it stays.
+bool is_over_a_pad(const merging::Merger& merger, const world::Terrain& terrain) {
+  const merging::Volumes others = merger.others();
+  return !merger.waiters().empty() &&
+         std::any_of(others.begin(), others.end(), [&](const merging::Volume& one) {
+           return one.from == one.to && one.floor < terrain.elevation(one.from.x(), one.from.y()) &&
+                  overlap({one}, merger.held());
+         });
 }
 
 bool is_aborting(const executive::TaskStatus& task) {
@@ -53,7 +68,8 @@ bool is_aborting(const executive::TaskStatus& task) {
 /// whose joint task nobody else is free for lets others wait all that time.
 void Merging::look_for_room() {
   const MissionTime now = core_.bus().now();
-  if (!has_nothing_to_do() || !is_in_the_way(*merger_)) return room_since_.reset();
+  if (waiting_) return leave_pad();
+  if (!has_nothing_to_do() || !is_in_the_way(*merger_, !rest_)) return room_since_.reset();
   if (!room_since_) room_since_ = now;
   if (now < *room_since_ + kMakesRoom) return;
   const std::vector<executive::TaskStatus> waits = safe_waits(core_);
@@ -73,11 +89,30 @@ void Merging::look_for_room() {
   want(std::move(aside));
 }
 
+/// It waits itself, for somebody who is in no circle with it, and stays where others are to take
+/// off or land: it gets out of the way as if there were a circle. Who is to land there goes first.
+void Merging::leave_pad() {
+  const bool could = !waiting_->airways.empty() && !waiting_->aside_since &&
+                     !waiting_->comes_back && waiting_->request.type != "land" && stays();
+  if (!could || !is_over_a_pad(*merger_, *core_.config().merging->terrain))
+    return room_since_.reset();
+  const MissionTime now = core_.bus().now();
+  if (!room_since_) room_since_ = now;
+  if (now < *room_since_ + kLeavesPad) return;
+  room_since_.reset();
+  carry_out(merging::MoveAside{{core_.config().uav}, false});
+}
+
+/// In the air, at one place, or where it circles since it was stopped.
+bool Merging::stays() const {
+  const bool circles = flown_ && flown_->over && !margins_.hovers;
+  return seen_.state.airborne && (circles || (!flown_ && rest_));
+}
+
 /// Of what it does nothing needs the vehicle where it is. Below degree 4 it is where its operator
 /// has put it.
 bool Merging::has_nothing_to_do() const {
-  if (flown_ || !rest_ || !seen_.state.airborne || !mission::deliberates(core_.degree()))
-    return false;
+  if (!stays() || !mission::deliberates(core_.degree())) return false;
   const auto tasks = core_.execution().tasks();
   if (core_.vehicle().under_way().size() > safe_waits(core_).size()) return false;
   return std::none_of(tasks.begin(), tasks.end(), [&](const executive::TaskStatus& one) {
@@ -98,7 +133,7 @@ Airways Merging::ordered(Airways aside, bool only_leading) const {
     there.aside = true;
     const Airways on =
         is_done_in_place(request)
-            ? way_to(place_.value_or(*rest_), there)
+            ? way_to(place_.value_or(rest_.value_or(seen_.state.position)), there)
             : airways_of(request, false, *core_.config().merging, there).value_or(Airways());
     return !on.empty() && !overlap(on.front().air, ends);
   };
@@ -110,7 +145,7 @@ Airways Merging::ordered(Airways aside, bool only_leading) const {
 /// To where nobody wants to go; when that gave it no air, also higher up, and to where neither the
 /// circle nor whoever waits for it wants to go: others wait for it a little longer.
 void Merging::carry_out(const merging::MoveAside& move) {
-  if (!waiting_ || waiting_->airways.empty() || !rest_ || !seen_.state.airborne) return;
+  if (!waiting_ || waiting_->airways.empty() || !stays()) return;
   const bool again = waiting_->aside_since.has_value();
   Airways aside = ordered(places_aside(merger_->others()), move.for_itself);
   if (again || aside.empty()) {
@@ -126,8 +161,8 @@ void Merging::carry_out(const merging::MoveAside& move) {
 }
 
 Airways Merging::places_aside(const merging::Volumes& taken, const std::vector<double>& heights) {
-  Airways aside = ways_aside(next_aside(), taken, *core_.config().merging, situation(), heights);
-  ++aside_;
+  Airways aside = ways_aside(aside_, taken, *core_.config().merging, situation(), heights);
+  aside_ = functional::TaskId(aside_.value() + 1);
   return aside;
 }
 

@@ -15,9 +15,6 @@ namespace skein::decision_node {
 
 namespace {
 
-/// Flights out of the way: beyond the own tasks of Safekeeping, which nobody else may use either.
-constexpr functional::TaskId kFirstAside{functional::kFirstBackgroundId.value() / 2};
-
 constexpr Duration kSaidAgain = Duration::milliseconds(10'000);
 constexpr Duration kStale = Duration::milliseconds(3'000);     ///< beliefs of the vehicle may be
 constexpr Duration kAside = Duration::milliseconds(3'000);     ///< a place aside is had in
@@ -42,9 +39,11 @@ bool is_of_role(const functional::Request& request) {
   return request.id >= functional::kFirstRoleId && request.id < functional::kFirstOwnId;
 }
 
-/// A way of the plan's that something else could come before; not that of a goal which lands.
+/// A takeoff or a way of the plan's that something else could come before, or somebody else could
+/// do; not that of a goal which lands.
 bool is_of_plan(Core& core, const functional::Request& request) {
-  if (request.type != "goto" || !mission::deliberates(core.degree())) return false;
+  const bool may_wait = request.type == "goto" || request.type == "takeoff";
+  if (!may_wait || !mission::deliberates(core.degree())) return false;
   const mission::GoalId goal = core.deliberation().origin_of(request.id);
   if (goal == mission::GoalId() || !core.deliberation().possible()) return false;
   const auto& tasks = core.deliberation().report().tasks;
@@ -84,7 +83,7 @@ bool at_any_height(Core& core, const functional::Request& request, bool asked_lo
 
 }  // namespace
 
-Merging::Merging(Core& core) : core_(core) {
+Merging::Merging(Core& core) : core_(core), home_(core) {
   const auto& config = core.config().merging;
   if (!config) return;
   merger_.emplace(config->members, core.config().uav, merging::Limits{}, config->witness);
@@ -102,7 +101,8 @@ bool Merging::takes(const functional::Request& request) {
     say_it_has_begun();
     return true;
   }
-  if (!needs_air(request) && !comes_after_aside(request) && !is_to_come_back(request)) return false;
+  const bool once_there = flown_ && flown_->is_waited_for_by(request);
+  if (!needs_air(request) && !once_there && !is_to_come_back(request)) return false;
   if (waiting_) {
     core_.post_status({request.id, functional::TaskState::kAborted,
                        "another motion waits for its air: " + waiting_->request.type});
@@ -116,10 +116,8 @@ bool Merging::takes(const functional::Request& request) {
   return true;
 }
 
-/// What it flew aside for is given up, and what comes now needs it to stand still: once it is
-/// there.
-bool Merging::comes_after_aside(const functional::Request& request) const {
-  return flown_ && !flown_->over && is_aside(flown_->airway.request.id) &&
+bool Merging::Flown::is_waited_for_by(const functional::Request& request) const {
+  return !over && is_aside(airway.request.id) &&
          functional::TaskTypes::shipped().of(request.type).holds_vehicle();
 }
 
@@ -143,13 +141,9 @@ bool Merging::is_to_come_back(const functional::Request& request) const {
 
 /// Nothing: it cannot be flown.
 Airways Merging::way_to(const world::Vector3& place, const AirwaySituation& from) const {
-  functional::Request request{functional::Verb::kDispatch, next_aside(), "goto", {}};
+  functional::Request request{functional::Verb::kDispatch, aside_, "goto", {}};
   request.parameters.add(elementary::points_parameter("waypoints", {place}));
   return airways_of(request, true, *core_.config().merging, from).value_or(Airways());
-}
-
-functional::TaskId Merging::next_aside() const {
-  return functional::TaskId(kFirstAside.value() + aside_);
 }
 
 /// From where it is now: as often as it waits anew.
@@ -160,7 +154,7 @@ void Merging::ask() {
   waiting_->asked_long = core_.bus().now() >= waiting_->since + kRises;
   if (is_to_come_back(waiting_->request)) {
     if (Airways back = way_to(*place_, situation()); !back.empty()) {
-      ++aside_;
+      aside_ = functional::TaskId(aside_.value() + 1);
       waiting_->comes_back = true;
       waiting_->aside_since.reset();
       return want(std::move(back), air_at(*place_));
@@ -178,6 +172,7 @@ void Merging::ask() {
     waiting_->why_not = airways.error().why;
     return;
   }
+  if (auto home = home_.flight(waiting_->request, rest_)) airways->push_back(std::move(*home));
   waiting_->why_not.clear();
   waiting_->aside_since.reset();
   want(std::move(*airways));
@@ -251,7 +246,8 @@ void Merging::vehicle_told(const world::Telemetry& telemetry) {
       flown_->airway.way->passed(telemetry.state.position))
     hold();
   come_to_rest();
-  if (!waiting_) return look_for_room();
+  look_for_room();
+  if (!waiting_) return;
   if (waiting_->airways.empty()) ask();
   if (waiting_ && !waiting_->why_not.empty() && core_.bus().now() > waiting_->since + kStale)
     return refuse(waiting_->why_not);
@@ -289,6 +285,10 @@ void Merging::hold() {
     air = {stay_at(*rest_, margins_)};
   }
   if (air != merger_->held()) give(merging::Hold{std::move(air)});
+  const auto rest = flown_ && !flown_->over ? flown_->airway.end : rest_;
+  if (!home_.is_new(rest)) return;
+  home_.look(rest, situation());
+  give(merging::Need{home_.air()});
 }
 
 // ---- waiting ----
@@ -406,6 +406,7 @@ void Merging::hear(const MergeTold& told) {
 
 void Merging::contact(const Contact& contact) {
   if (!merger_) return;
+  if (contact.ground) home_.contact(contact.reachable);
   const std::string& peer = contact.ground ? core_.config().merging->witness : contact.peer;
   if (!peer.empty()) give(merging::InReach{peer, contact.reachable});
 }

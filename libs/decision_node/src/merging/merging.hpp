@@ -9,11 +9,15 @@
 
 #include "component.hpp"
 #include "merging/airways.hpp"
+#include "merging/home_air.hpp"
 #include "skein/merging/merger.hpp"
 
 namespace skein::decision_node {
 
 class Core;
+
+/// Flights out of the way: beyond the own tasks of Safekeeping, which nobody else may use either.
+inline constexpr functional::TaskId kFirstAside{functional::kFirstBackgroundId.value() / 2};
 
 /// Between whoever has a motion (executive, ground station, own tasks) and the vehicle. A motion
 /// waits until it has all of its air; meanwhile it is to its executive a task that was dispatched
@@ -75,6 +79,8 @@ class Merging final : public Component {
     bool over = false, ended = false;
 
     bool flies(functional::TaskId task) const { return !over && airway.request.id == task; }
+    /// What it flew aside for is given up, and this needs it to stand still: once it is there.
+    bool is_waited_for_by(const functional::Request& request) const;
   };
 
   void give(const merging::Input& input);
@@ -95,13 +101,13 @@ class Merging final : public Component {
   void come_to_rest();
   void hold();
   void tell_orders();
-  bool comes_after_aside(const functional::Request& request) const;
   bool is_to_come_back(const functional::Request& request) const;
   Airways way_to(const world::Vector3& place, const AirwaySituation& from) const;
   Airways places_aside(const merging::Volumes& taken, const std::vector<double>& heights = {0});
   Airways ordered(Airways aside, bool only_leading) const;
-  functional::TaskId next_aside() const;
   void look_for_room();
+  void leave_pad();
+  bool stays() const;
   bool has_nothing_to_do() const;
   void stop_waiting();
   AirwaySituation situation() const;
@@ -109,6 +115,7 @@ class Merging final : public Component {
 
   Core& core_;
   std::optional<merging::Merger> merger_;
+  HomeAir home_;
   merging::Margins margins_;  ///< at its cruise speed
   world::Telemetry seen_;
   bool has_seen_ = false;
@@ -117,9 +124,9 @@ class Merging final : public Component {
   std::optional<Waiting> waiting_;
   std::optional<world::Vector3>
       place_;  ///< where it got out of the way from, and did not come back
-  std::optional<MissionTime> room_since_;  ///< another one wants to go where it stays, since then
-  supervisor::AirOrders orders_;           ///< as the supervisor was told
-  std::uint64_t aside_ = 0;                ///< of flights out of the way, so far
+  std::optional<MissionTime> room_since_;   ///< another one wants to go where it stays, since then
+  supervisor::AirOrders orders_;            ///< as the supervisor was told
+  functional::TaskId aside_ = kFirstAside;  ///< of the next flight out of the way
 };
 
 }  // namespace skein::decision_node

@@ -283,6 +283,32 @@ TEST(Merging, ATakeoffWaitsForWhoIsOverTheGround) {
   EXPECT_TRUE(team.is_over("heliv", 7));
 }
 
+// Found by random missions (--mixed 13): it kept all the air of the takeoff in which it was
+// stopped, for ever.
+TEST(Merging, WhoCirclesSinceItWasStoppedMakesRoomForATakeoff) {
+  MergedTeam team({{"blimp", {0, 0, 0}}, {"heliv", {30, 0, 0}}}, 4);
+  team.command("blimp", takeoff_of(7, 70));
+  team.run(4);
+  team.command("blimp", executive::Abort{executive::TaskId(7)});
+  team.run(2);
+  ASSERT_TRUE(team.is_over("blimp", 7));
+  team.command("heliv", takeoff_of(7, 40));
+  team.run(90);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+}
+
+// Likewise: it waited for a third one that worked, so there was no circle.
+TEST(Merging, WhoWaitsItselfOverAnothersPadGetsOutOfTheWay) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}, {"karma", {103, 0, 0}}});
+  give_sweep(team, "heliv", goto_of(7, {-100, 0, 40}));
+  team.command("karma", takeoff_of(7, 60));
+  team.run(8);
+  EXPECT_THAT(team.begun("karma"), IsEmpty());
+  team.run(60);
+  EXPECT_TRUE(team.is_over("karma", 7));
+  EXPECT_THAT(states(team.notes("heliv")), Contains("aside"));
+}
+
 TEST(Merging, WhoHasLandedLeavesItsAirToOthers) {
   MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}});
   team.command("marvin", testing::start_of(3, "land"));
@@ -306,6 +332,36 @@ TEST(Merging, ACutLeavesWhoFliesItsWayAndKeepsTheLaterFromAnother) {
   EXPECT_THAT(team.begun("heliv"), ElementsAre(7U));
   EXPECT_TRUE(team.is_over("marvin", 7));
   EXPECT_THAT(team.notes("heliv").back().waits_for, ElementsAre("marvin to come into reach"));
+}
+
+// Its contact-loss policy is to return; home is under (0, 0, 50).
+TEST(Merging, WhoIsOutOfReachOfAllFliesHomeThroughAirThatWasKeptForIt) {
+  MergedTeam team({{"marvin", {0, 300, 40}}, {"heliv", {100, 0, 40}}}, 4, ContactPolicy::kReturn);
+  team.command("heliv", goto_of(7, {100, 100, 40}));
+  team.run(30);
+  ASSERT_TRUE(team.is_over("heliv", 7));
+  team.cut_from_all("heliv");
+  team.run(60);
+  EXPECT_NEAR(team.state("heliv").position.norm(), 0, 1);
+}
+
+TEST(Merging, WhileOneIsOutOfReachNobodyElseTakesItsAirHome) {
+  MergedTeam team({{"marvin", {0, 300, 40}}, {"heliv", {200, 0, 40}}}, 4, ContactPolicy::kReturn);
+  team.run(10);
+  team.cut_from_all("heliv");
+  team.command("marvin", goto_of(7, {100, 0, 45}));
+  team.run(4);
+  EXPECT_THAT(team.begun("marvin"), IsEmpty());
+  team.run(60);
+  EXPECT_NEAR(team.state("heliv").position.norm(), 0, 1);
+}
+
+TEST(Merging, WhatAnotherHasOfTheWayHomeIsNotFlownThrough) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {200, 0, 40}}}, 4, ContactPolicy::kReturn);
+  team.run(10);
+  team.cut_from_all("heliv");
+  team.run(60);
+  EXPECT_THAT(team.begun("heliv"), IsEmpty());
 }
 
 TEST(Merging, WhatTheVehicleCannotDoIsRefusedWithItsReasons) {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "skein/merging/witness.hpp"
 #include "testing/flown_node.hpp"
 
 namespace skein::decision_node::testing {
@@ -32,6 +33,19 @@ inline world::VehicleModel quick_helicopter() {
   return model;
 }
 
+/// It cannot hover.
+inline world::VehicleModel quick_blimp() {
+  world::VehicleModel model = quick_helicopter();
+  model.hovers = false;
+  model.orbit_radius = 15;
+  model.min_turn_radius = 10;
+  return model;
+}
+
+inline world::VehicleModel model_of(const std::string& uav) {
+  return uav.starts_with("blimp") ? quick_blimp() : quick_helicopter();
+}
+
 inline executive::Start goto_of(std::uint64_t id, std::vector<double> waypoints) {
   executive::Start start = start_of(id, "goto");
   start.task.parameters = {{"waypoints", "", std::move(waypoints)}};
@@ -48,20 +62,27 @@ inline executive::Start takeoff_of(std::uint64_t id, double altitude) {
 inline std::shared_ptr<const supervisor::Knowledge> knowledge_of(const std::string& uav) {
   auto knowledge = std::make_shared<supervisor::Knowledge>();
   knowledge->uav = uav;
-  knowledge->vehicle = quick_helicopter();
+  knowledge->vehicle = model_of(uav);
   return knowledge;
 }
 
 class MergedTeam {
  public:
-  /// In that order in the roster, each at its place: on the ground where z is 0.
-  explicit MergedTeam(const std::vector<std::pair<std::string, Vector3>>& places, int degree = 3) {
+  /// In that order in the roster, each at its place: on the ground where z is 0. Who is called
+  /// blimp cannot hover.
+  /// With a contact-loss policy the ground station is the third of each pair; carried out after 5
+  /// s.
+  explicit MergedTeam(const std::vector<std::pair<std::string, Vector3>>& places, int degree = 3,
+                      ContactPolicy policy = ContactPolicy::kContinue) {
     for (const auto& [name, place] : places) names_.push_back(name);
     for (const auto& [name, place] : places) {
       Config config;
       config.uav = name;
-      config.merging = {names_, quick_helicopter(), {}, level_ground(), {}};
+      config.merging = {names_, model_of(name), {}, level_ground(), {}};
       config.degree = degree;
+      if (name == names_.back()) config.contact_policy = policy;
+      config.contact_after = Duration::seconds(5);
+      if (policy != ContactPolicy::kContinue) config.merging->witness = kGround;
       if (degree >= 4) {
         config.knowledge = knowledge_of(name);
         const world::AirspaceGrid air{{-400, -400, 0}, 20, {40, 40, 12}};
@@ -72,11 +93,15 @@ class MergedTeam {
       uav.node = std::make_unique<DecisionNode>(config);
       uav.state.position = place;
       uav.state.airborne = place.z() > 0;
-      give(name, Started{});
+      give(name, Started{true});
     }
-    for (const std::string& one : names_)
+    witness_ = merging::Witness(names_);
+    witness_.begin(true, now_);
+    for (const std::string& one : names_) {
       for (const std::string& other : names_)
         if (one != other) give(one, Contact{other, false, true});
+      give(one, Contact{kGround, true, true});
+    }
     run(1.5);
   }
 
@@ -97,7 +122,7 @@ class MergedTeam {
       now_ = now_ + Duration::milliseconds(100);
       const auto messages = std::exchange(radio_, {});
       for (const auto& [to, told] : messages)
-        if (!cut_.contains({told.from, to}) && !cut_.contains({to, told.from})) give(to, told);
+        if (!cut_.contains({told.from, to}) && !cut_.contains({to, told.from})) hear(to, told);
       for (const std::string& name : names_) fly(name);
       for (const std::string& name : names_) {
         const auto wakeup = uavs_[name].node->next_wakeup();
@@ -110,6 +135,13 @@ class MergedTeam {
     cut_.insert({one, other});
     give(one, Contact{other, false, false});
     give(other, Contact{one, false, false});
+  }
+
+  void cut_from_all(const std::string& uav) {
+    for (const std::string& other : names_)
+      if (other != uav) cut(uav, other);
+    cut_.insert({uav, kGround});
+    give(uav, Contact{kGround, true, false});
   }
 
   /// Of the UAV's tasks, in the order in which they began to be flown.
@@ -137,6 +169,7 @@ class MergedTeam {
     std::vector<executive::TaskEvent> events;
     std::vector<functional::Status> passed;
     double highest = 0;
+    bool stopped = false;  ///< in what it flies
   };
 
   static std::shared_ptr<const world::Terrain> level_ground() {
@@ -144,6 +177,12 @@ class MergedTeam {
     spec.west = spec.south = -1000;
     spec.east = spec.north = 1000;
     return std::make_shared<world::Terrain>(spec);
+  }
+
+  void hear(const std::string& to, const MergeTold& told) {
+    if (to != kGround) return give(to, told);
+    for (const auto& answer : witness_.hear(told.from, told.message, now_))
+      radio_.emplace_back(answer.to, MergeTold{kGround, answer.message});
   }
 
   void give(const std::string& name, const Input& input) {
@@ -164,10 +203,14 @@ class MergedTeam {
 
   void take(Uav& uav, const functional::Request& request) {
     if (request.verb == functional::Verb::kInterrupt) {
-      if (uav.task && uav.task->id == request.id) uav.way.clear();
+      if (uav.task && uav.task->id == request.id) {
+        uav.way.clear();
+        uav.stopped = true;
+      }
       return;
     }
     uav.task = request;
+    uav.stopped = false;
     uav.begun.push_back(request.id.value());
     const Vector3& at = uav.state.position;
     if (request.type == "takeoff")
@@ -197,10 +240,14 @@ class MergedTeam {
     if (!uav.task || !uav.way.empty()) return;
     const functional::TaskId id = std::exchange(uav.task, std::nullopt)->id;
     give(name, StatusTold{{id, functional::TaskState::kRunning, ""}});
-    give(name, StatusTold{{id, functional::TaskState::kEnded, ""}});
+    const auto over = std::exchange(uav.stopped, false) ? functional::TaskState::kAborted
+                                                        : functional::TaskState::kEnded;
+    give(name, StatusTold{{id, over, ""}});
   }
 
+  static constexpr const char* kGround = "ground";
   std::vector<std::string> names_;
+  merging::Witness witness_{{}};
   std::map<std::string, Uav> uavs_;
   std::vector<std::pair<std::string, MergeTold>> radio_;
   std::set<std::pair<std::string, std::string>> cut_;

@@ -2,7 +2,9 @@
 // Members and witnesses over a radio of which each delivery is somebody's choice.
 #pragma once
 
+#include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +13,8 @@
 #include "skein/merging/witness.hpp"
 
 namespace skein::merging::testing {
+
+inline Volume street(double from, double to) { return {{from, 0}, {to, 0}, 5, 30, 50}; }
 
 /// A value: what would happen is tried on copies. Nothing is delivered by itself, so a message that
 /// is not delivered is one that is lost or late, and a node that nothing is delivered to is dead.
@@ -46,8 +50,8 @@ class Trio {
     under_way_.erase(under_way_.begin() + static_cast<std::ptrdiff_t>(which));
     const auto witness = witnesses_.find(packet.to);
     if (witness == witnesses_.end()) return give(packet.to, Heard{packet.from, packet.message});
-    if (auto reply = witness->second.hear(packet.from, packet.message, now_))
-      under_way_.push_back({packet.to, packet.from, std::move(*reply)});
+    for (auto& answer : witness->second.hear(packet.from, packet.message, now_))
+      under_way_.push_back({packet.to, answer.to, std::move(answer.message)});
   }
 
   void pass(double seconds) {
@@ -70,6 +74,15 @@ class Trio {
     std::erase_if(under_way_, [&](const Packet& one) { return one.to == name; });
     pass(3);
   }
+
+  /// It believes that it can speak to nobody, or to all again.
+  void is_alone(const std::string& name, bool alone = true) {
+    for (const std::string& peer : names_)
+      if (peer != name) give(name, InReach{peer, !alone});
+    give(name, InReach{witness_of_.at(name), !alone});
+    alone ? void(alone_.insert(name)) : void(alone_.erase(name));
+  }
+  bool is_alone_now(const std::string& name) const { return alone_.contains(name); }
 
   /// All that is under way, and what follows from it, but what is for these or of them.
   void deliver_all_but(const std::vector<std::string>& silent) {
@@ -115,8 +128,14 @@ class Trio {
   std::map<std::string, Witness> witnesses_;
   std::vector<Packet> under_way_;
   std::map<std::string, int> granted_;
+  std::set<std::string> alone_;
   std::map<std::string, std::vector<Waits::Why>> whys_;
   MissionTime now_ = MissionTime::seconds(10);
 };
+
+inline const std::string kAnna = "a", kBert = "b", kCarl = "c", kGround = "ground";
+
+inline Trio two() { return Trio({{kAnna, kGround}, {kBert, kGround}}); }
+inline Trio three() { return Trio({{kAnna, kGround}, {kBert, kGround}, {kCarl, kGround}}); }
 
 }  // namespace skein::merging::testing

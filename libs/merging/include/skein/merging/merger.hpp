@@ -11,6 +11,7 @@
 
 #include "skein/foundation/time.hpp"
 #include "skein/merging/message.hpp"
+#include "skein/merging/standby.hpp"
 
 namespace skein::merging {
 
@@ -41,12 +42,17 @@ struct Withdraw {};
 struct Hold {
   Volumes volumes;
 };
+/// What it would take if it could ask nobody, its way home; empty: nothing. Without a witness it
+/// has no effect.
+struct Need {
+  Volumes volumes;
+};
 /// It never lived before, so it has promised nothing that it does not know of. Who is not told so
 /// may have forgotten, and takes no witness's word for a member that has not answered it yet.
 struct FirstLife {};
 /// Time passes.
 struct Tick {};
-using Input = std::variant<Heard, InReach, Want, Withdraw, Hold, FirstLife, Tick>;
+using Input = std::variant<Heard, InReach, Want, Withdraw, Hold, Need, FirstLife, Tick>;
 
 // ---- effects, in their order ----
 
@@ -106,7 +112,8 @@ struct Limits {
 /// With a witness (witness.hpp) two of three must agree, the two of a pair and the witness: each
 /// asks the other and the witness, and the word of one of them is enough. So nobody waits for one
 /// that is dead, late or cut off while the witness is in reach, except for air which that one may
-/// have; who reaches neither takes nothing new. docs/decisions/0052-two-of-three.md.
+/// have; who reaches neither takes nothing new, but what the witness keeps free for it (Need).
+/// docs/decisions/0052-two-of-three.md, 0058-the-way-home-is-kept-free.md.
 ///
 /// `now` never decreases. Deterministic. Cost of an input: O(volumes held × volumes wanted).
 /// Source: I III.B.3 (Alami et al. 1995, 1997: plan merging); the mutual exclusion is by pairs, not
@@ -164,21 +171,28 @@ class Merger {
     std::vector<std::string> refusers;  ///< who has what was asked for last, as it has it
   };
 
+  /// Numbers go on rising in the life after one that is forgotten.
+  struct Rising {
+    std::uint64_t last = 0;
+    std::uint64_t next(MissionTime now);
+  };
+
   void on(const Heard& heard);
   void on(const InReach& reach);
   void on(const Want& want);
   void on(const Withdraw&);
   void on(const Hold& hold);
+  void on(const Need& need);
   void on(const FirstLife&);
   void on(const Tick&) {}
   void hear_witness(const Message& message);
   void answer(Peer& peer);
   bool needs(const Peer& peer) const { return peer.earlier || third_; }
   bool may_agree(const Peer& peer) const;
-  bool has_agreed(const Peer& peer) const;
   bool may_have_been_promised(std::uint64_t request) const;
   void advance();
   bool ask();
+  bool take_what_is_kept();
   void close(Duration pause);
   void grant();
   std::vector<Waits::Why> whys() const;
@@ -191,7 +205,6 @@ class Merger {
   bool yields_to(const Peer& peer, const Volumes& volumes) const;
   bool presses(const std::optional<MissionTime>& since) const;
   bool waits_longer(const Peer& peer) const;
-  bool moves_before_this(const Peer& peer) const;
   void tell(const std::string& name, bool asks);
   void tell_witness(bool asks);
   void tell_all();
@@ -204,12 +217,14 @@ class Merger {
   Limits limits_;
   std::map<std::string, Peer> peers_;
   std::optional<Third> third_;  ///< the witness
+  Standby standby_;
   bool first_life_ = false;
   std::optional<MissionTime> begun_;
 
   Volumes held_;
   std::vector<Volumes> choices_;
-  std::uint64_t request_ = 0, last_request_ = 0;
+  std::uint64_t request_ = 0;
+  Rising requests_, numbers_;     ///< of requests, of messages
   std::size_t choice_ = 0;        ///< that it asks for
   MissionTime deadline_;          ///< of the request
   MissionTime pause_;             ///< it asks for nothing before
@@ -221,7 +236,6 @@ class Merger {
   MissionTime moved_aside_;  ///< it is not asked to again before
 
   bool changed_ = false;  ///< what it claims, since it was told
-  std::uint64_t number_ = 0;
   MissionTime now_, said_, asked_;
   Effects out_;
 };

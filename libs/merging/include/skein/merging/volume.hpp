@@ -27,6 +27,9 @@ bool overlap(const Volume& one, const Volume& other);
 /// Any of the one and any of the other. Cost: O(product).
 bool overlap(const Volumes& some, const Volumes& others);
 
+/// All of `inner` is in `outer`, as far as their lines tell: no false yes. Cost: constant.
+bool contains(const Volume& outer, const Volume& inner);
+
 /// As air that is closed to others: the prism around all that is nearer to `volume` than `wider`
 /// [m] level and `higher` [m] in height, with corners at the ends. At most 4 % of its radius too
 /// wide.

@@ -28,8 +28,13 @@ class Witness {
 
   /// First of its life. Not `first`: it may have forgotten what it promised.
   void begin(bool first, MissionTime now);
-  /// The answer to who asked, if he asked. Of strangers nothing is heard.
-  std::optional<Message> hear(const std::string& from, const Message& message, MissionTime now);
+  struct Answer {
+    std::string to;
+    Message message;
+  };
+  /// The answer to who asked, if he asked; and who is kept some of that air, to take when it is out
+  /// of reach, is told that another wants to fly there. Of strangers nothing is heard.
+  std::vector<Answer> hear(const std::string& from, const Message& message, MissionTime now);
 
  private:
   struct Record {
@@ -38,12 +43,15 @@ class Witness {
     Claim claim;
     std::uint64_t answered = 0;
     bool granted = false;
+    bool keeps = false;        ///< its request is for air that it would take out of reach
     std::uint64_t unsure = 0;  ///< its request that may have been promised in a life before
   };
 
   void take(Record& record, const Message& message);
   void answer(const std::string& from, Record& record);
-  bool may_have(const Record& record, const Volumes& volumes) const;
+  Answer answer_to(const std::string& to, std::uint64_t request, bool granted, MissionTime now);
+  bool is_kept_for(const Record& record, const Volumes& volumes) const;
+  bool may_have(const Record& record, const Claim& asks) const;
   bool remembers() const;
 
   std::map<std::string, Record> records_;

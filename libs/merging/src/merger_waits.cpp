@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a member waits for, and who of a circle gets out of the way.
+#include <algorithm>
+
+#include "skein/merging/merger.hpp"
+
+namespace skein::merging {
+
+namespace {
+
+constexpr const char* kToLeave = "to leave";
+constexpr const char* kToGoFirst = "to go first, it has waited long";
+constexpr const char* kToBeAnswered = "to be answered itself";
+
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+std::vector<std::string> Merger::awaited() const {
+  std::vector<std::string> names;
+  for (const Waits::Why& why : told_)
+    if (why.why == kToLeave) names.push_back(why.peer);
+  return names;
+}
+
+std::vector<std::string> Merger::in_its_way() const {
+  std::vector<std::string> names;
+  for (const Waits::Why& why : told_)
+    if (why.why == kToLeave || why.why == kToGoFirst) names.push_back(why.peer);
+  return names;
+}
+
+std::vector<Merger::Waiter> Merger::waiters() const {
+  std::vector<Waiter> all;
+  for (const auto& [name, peer] : peers_) {
+    const std::vector<std::string>& for_whom = peer.claim.waits_for;
+    if (std::find(for_whom.begin(), for_whom.end(), self_) == for_whom.end()) continue;
+    if (!overlap(held_, peer.claim.wanted)) continue;
+    all.push_back({name, overlap({held_.back()}, peer.claim.wanted)});
+  }
+  return all;
+}
+
+std::vector<Waits::Why> Merger::whys() const {
+  std::vector<Waits::Why> result;
+  const Volumes& first = choices_.front();
+  for (const auto& [name, peer] : peers_) {
+    if (has(peer, first)) {
+      result.push_back({name, kToLeave});
+    } else if (!may_agree(peer) || (third_ && !peer.heard && peer.reachable)) {
+      result.push_back({name, peer.reachable ? "to tell what it has" : "to come into reach"});
+    } else if (third_ && !peer.reachable && is_among(third_->refusers, name)) {
+      result.push_back({name, kToLeave});
+    } else if (asks_for(peer, first)) {
+      result.push_back({name, kToBeAnswered});
+    } else if (yields_to(peer, first)) {
+      result.push_back({name, kToGoFirst});
+    }
+  }
+  return result;
+}
+
+void Merger::say_waits() {
+  const std::vector<Waits::Why> now = whys();
+  if (now == told_ || now.empty()) return;
+  told_ = now;
+  changed_ = true;
+  out_.push_back(Waits{now});
+}
+
+/// Whoever finds no place aside still waits for what it wants afterwards: the next of the circle
+/// sees that it stands.
+std::vector<std::string> Merger::waits_for() const {
+  std::vector<std::string> names = in_its_way();
+  for (const auto& [name, peer] : peers_) {
+    const bool stands = has(peer, afterwards_) || yields_to(peer, afterwards_);
+    if (stands && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+/// From itself along who waits for whom, back to itself; empty: there is none.
+std::vector<std::string> Merger::circle() const {
+  std::vector<std::string> way;
+  std::map<std::string, bool> seen;
+  const auto walk = [&](const auto& self, const std::string& name,
+                        const std::vector<std::string>& next) -> bool {
+    way.push_back(name);
+    for (const std::string& one : next) {
+      if (one == self_) return true;
+      const auto peer = peers_.find(one);
+      if (peer == peers_.end() || seen[one]) continue;
+      seen[one] = true;
+      if (self(self, one, peer->second.claim.waits_for)) return true;
+    }
+    way.pop_back();
+    return false;
+  };
+  walk(walk, self_, waits_for());
+  return way;
+}
+
+/// One has to move; when that does not help, the next: whoever presses moves last, and of the
+/// others the last of the roster first.
+void Merger::look_for_circle() {
+  const std::vector<std::string> found = circle();
+  if (found.empty()) return circle_since_.reset();
+  if (!circle_since_) circle_since_ = now_;
+  std::int64_t before = 0;
+  bool all_hear = true;
+  for (const std::string& one : found) {
+    const auto peer = peers_.find(one);
+    if (peer == peers_.end()) continue;
+    const Peer& other = peer->second;
+    const bool press = presses(other.wants_since) || presses(wants_since_);
+    if (press ? !waits_longer(other) : !other.earlier) ++before;
+    all_hear = all_hear && other.reachable;
+  }
+  const Duration patience = limits_.circle + Duration::nanoseconds(before * limits_.next.count());
+  if (now_ < *circle_since_ + patience || now_ < moved_aside_) return;
+  moved_aside_ = now_ + limits_.moves;
+  out_.push_back(MoveAside{found, !all_hear});
+}
+
+}  // namespace skein::merging
