@@ -12,7 +12,10 @@ namespace {
 
 using world::Vector3;
 
-constexpr double kNear = 10;    // [m] a bend is taken within it, or half of what the way takes
+constexpr double kNear = 10;  // [m] a bend is taken within it, or half of what the way takes
+/// Who cannot hover turns back to a way-point that it missed: so much it keeps behind, of what it
+/// takes around a bend.
+constexpr double kTurnsBack = 4;
 constexpr double kLevel = 0.5;  // [m] of height that a level piece may gain, or the reverse
 
 bool is_upright(const Vector3& from, const Vector3& to) {
@@ -110,7 +113,7 @@ Way::Way(const std::vector<Vector3>& points, const Margins& margins)
 
 bool Way::passed(const Vector3& position) {
   const std::size_t before = piece_;
-  while (hovers_ && piece_ + 2 < points_.size()) {
+  while (piece_ + 2 < points_.size()) {
     const Vector3 along = points_[piece_ + 1] - points_[piece_];
     const Vector3 off = position - points_[piece_ + 1];
     if (off.norm() > near_ && off.dot(along) < 0) break;
@@ -120,7 +123,14 @@ bool Way::passed(const Vector3& position) {
 }
 
 Volumes Way::left() const {
-  const std::size_t first = piece_ == 0 ? 0 : piece_ - 1;
+  std::size_t first = piece_;
+  const double behind = hovers_ ? 0 : kTurnsBack * near_;
+  double kept = 0;
+  do {
+    if (first == 0) break;
+    --first;
+    kept += (points_[first + 1] - points_[first]).norm();
+  } while (kept < behind);
   return {volumes_.begin() + static_cast<std::ptrdiff_t>(first), volumes_.end()};
 }
 

@@ -124,12 +124,17 @@ TEST(Way, ABendTakenBeforeItIsReachedIsPassed) {
   EXPECT_TRUE(way.passed({42, 2, 40}));
 }
 
-TEST(Way, WhoCannotHoverLeavesNothingBeforeTheEnd) {
+TEST(Way, WhoCannotHoverKeepsWhatItMayTurnBackTo) {
   Margins circles = kHovers;
   circles.hovers = false;
-  Way way({{0, 0, 40}, {150, 0, 40}}, circles);
-  EXPECT_FALSE(way.passed({140, 0, 40}));
-  EXPECT_EQ(way.left().size(), way.volumes().size());
+  circles.way = 60;
+  Way way({{0, 0, 40}, {500, 0, 40}, {500, 100, 40}, {0, 100, 40}}, circles);
+  EXPECT_TRUE(way.passed({110, 0, 40}));
+  EXPECT_EQ(way.left().size(), way.volumes().size()) << "it may turn back to where it began";
+  for (double x = 160; x <= 500; x += 50) way.passed({x, 0, 40});
+  EXPECT_FALSE(is_in(way.left(), {200, 0, 40}));
+  EXPECT_TRUE(is_in(way.left(), {400, 0, 40}));
+  EXPECT_TRUE(is_in(way.left(), {200, 100, 40})) << "not flown yet";
 }
 
 // Flown within its margins, seen once a second, it never leaves what is not left.

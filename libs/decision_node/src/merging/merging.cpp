@@ -242,7 +242,7 @@ void Merging::vehicle_told(const world::Telemetry& telemetry) {
   has_seen_ = true;
   const bool airborne = telemetry.state.airborne;
   if (first && airborne) rest_ = telemetry.state.position;
-  if (airborne && flown_ && flown_->airway.way &&
+  if (airborne && flown_ && !flown_->over && flown_->airway.way &&
       flown_->airway.way->passed(telemetry.state.position))
     hold();
   come_to_rest();

@@ -32,7 +32,8 @@ class Way {
   /// Takes note of where the vehicle is. True: it has left more of its way.
   bool passed(const world::Vector3& position);
   /// What it has not left: the piece that it flies, the one before, which it may be blown back to,
-  /// and all after them. Whoever cannot hover leaves nothing before its end, since it turns back.
+  /// and all after them. Whoever cannot hover keeps twice the width of its way behind, since it
+  /// turns back to way-points that it missed.
   Volumes left() const;
 
  private:
