@@ -167,8 +167,8 @@ void Merger::on(const Hold& hold) {
 }
 
 void Merger::on(const Need& need) {
-  if (!third_ || need.volumes == standby_.volumes()) return;
-  standby_.need(need.volumes, now_);
+  if (!third_ || need.choices == standby_.choices()) return;
+  standby_.need(need.choices, now_);
   tell_witness(false);
 }
 

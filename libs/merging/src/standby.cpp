@@ -12,16 +12,17 @@ constexpr Duration kRefused = Duration::milliseconds(5'000);     ///< likewise, 
 
 }  // namespace
 
-void Standby::need(Volumes volumes, MissionTime now) {
-  if (volumes == volumes_) return;
-  volumes_ = std::move(volumes);
+void Standby::need(std::vector<Volumes> choices, MissionTime now) {
+  if (choices == choices_) return;
+  choices_ = std::move(choices);
+  choice_ = 0;
   replace(now);
 }
 
 void Standby::replace(MissionTime now) {
   request_ = 0;
   kept_ = false;
-  due_ = volumes_.empty() ? std::nullopt : std::optional(now);
+  due_ = choices_.empty() ? std::nullopt : std::optional(now);
 }
 
 void Standby::ask(std::uint64_t request, MissionTime now) {
@@ -33,12 +34,13 @@ void Standby::answered(bool granted, MissionTime now) {
   kept_ = granted;
   if (granted) return due_.reset();
   request_ = 0;
-  due_ = now + kRefused;
+  choice_ = (choice_ + 1) % choices_.size();
+  due_ = choice_ == 0 ? now + kRefused : now;
 }
 
 bool Standby::keeps(const Volumes& air) const {
   return kept_ && std::all_of(air.begin(), air.end(), [&](const Volume& piece) {
-           return std::any_of(volumes_.begin(), volumes_.end(),
+           return std::any_of(volumes().begin(), volumes().end(),
                               [&](const Volume& one) { return contains(one, piece); });
          });
 }

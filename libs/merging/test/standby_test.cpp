@@ -30,7 +30,7 @@ void hear_each_other_no_more(Trio& trio) {
 TEST(Standby, WhoLosesContactWithAllTakesWhatWasKeptForIt) {
   for (const auto& [alone, other] : {std::pair(kAnna, kBert), std::pair(kBert, kAnna)}) {
     Trio trio = two();
-    trio.give(alone, Need{{street(0, 100), street(100, 200)}});
+    trio.give(alone, Need{{{street(0, 100), street(100, 200)}}});
     trio.run_for(1);
     trio.is_alone(alone);
     trio.give(alone, Want{{{street(0, 50)}}});
@@ -46,7 +46,7 @@ TEST(Standby, WhoLosesContactWithAllTakesWhatWasKeptForIt) {
 
 TEST(Standby, NothingIsKeptThatTheWitnessDidNotSayItKeeps) {
   Trio trio = two();
-  trio.give(kAnna, Need{{street(0, 100)}});
+  trio.give(kAnna, Need{{{street(0, 100)}}});
   trio.run_for(1, {kGround});
   trio.is_alone(kAnna);
   trio.give(kAnna, Want{{{street(0, 50)}}});
@@ -55,7 +55,7 @@ TEST(Standby, NothingIsKeptThatTheWitnessDidNotSayItKeeps) {
 
 TEST(Standby, WhileItsOwnerIsOutOfReachNobodyElseHasIt) {
   Trio trio = two();
-  trio.give(kAnna, Need{{street(0, 100)}});
+  trio.give(kAnna, Need{{{street(0, 100)}}});
   trio.run_for(5);
   trio.is_alone(kAnna);
   trio.give(kBert, InReach{kAnna, false});
@@ -68,7 +68,7 @@ TEST(Standby, WhileItsOwnerIsOutOfReachNobodyElseHasIt) {
 TEST(Standby, WhileItsOwnerIsInReachItKeepsNobodyFromThatAir) {
   for (const bool hear_each_other : {true, false}) {
     Trio trio = two();
-    trio.give(kAnna, Need{{street(0, 100)}});
+    trio.give(kAnna, Need{{{street(0, 100)}}});
     trio.run_for(5);
     if (!hear_each_other) hear_each_other_no_more(trio);
     trio.give(kBert, Want{{{street(50, 60)}}});
@@ -84,9 +84,9 @@ TEST(Standby, WhileItsOwnerIsInReachItKeepsNobodyFromThatAir) {
 
 TEST(Standby, OfTwoWaysHomeThatCrossTheFirstIsKept) {
   Trio trio = two();
-  trio.give(kAnna, Need{{street(0, 100)}});
+  trio.give(kAnna, Need{{{street(0, 100)}}});
   trio.run_for(1);
-  trio.give(kBert, Need{{street(50, 150)}});
+  trio.give(kBert, Need{{{street(50, 150)}}});
   trio.run_for(12);
   trio.is_alone(kAnna);
   trio.give(kAnna, Want{{{street(0, 100)}}});
@@ -97,12 +97,25 @@ TEST(Standby, OfTwoWaysHomeThatCrossTheFirstIsKept) {
   EXPECT_EQ(trio.granted(kBert), 0);
 }
 
+TEST(Standby, WhereTheFirstWayIsNotFreeTheNextIsKept) {
+  Trio trio = two();
+  trio.give(kAnna, Need{{{street(0, 100)}}});
+  trio.run_for(1);
+  trio.give(kBert, Need{{{street(50, 150)}, {street(200, 300)}}});
+  trio.run_for(1);
+  trio.is_alone(kBert);
+  trio.give(kBert, Want{{{street(50, 150)}, {street(200, 300)}}});
+  trio.run_for(1);
+  EXPECT_EQ(trio.granted(kBert), 1);
+  EXPECT_EQ(trio.member(kBert).held(), (Volumes{street(200, 300)}));
+}
+
 TEST(Standby, WhatAnotherHasLeftIsKeptAgain) {
   Trio trio = two();
   hear_each_other_no_more(trio);
   trio.give(kBert, Want{{{street(50, 60)}}});
   trio.run_for(1);
-  trio.give(kAnna, Need{{street(0, 100)}});
+  trio.give(kAnna, Need{{{street(0, 100)}}});
   trio.run_for(1);
   trio.give(kBert, Hold{{}});
   trio.run_for(10);
@@ -113,7 +126,7 @@ TEST(Standby, WhatAnotherHasLeftIsKeptAgain) {
 
 TEST(Standby, ARequestForOtherAirStandsInItsPlaceUntilItIsOver) {
   Trio trio = two();
-  trio.give(kAnna, Need{{street(0, 100)}});
+  trio.give(kAnna, Need{{{street(0, 100)}}});
   trio.run_for(1);
   trio.give(kAnna, Want{{{street(300, 400)}}});
   trio.run_for(3);
@@ -125,7 +138,7 @@ TEST(Standby, ARequestForOtherAirStandsInItsPlaceUntilItIsOver) {
 
 TEST(Standby, WhatIsNeededNoMoreIsKeptNoMore) {
   Trio trio = two();
-  trio.give(kAnna, Need{{street(0, 100)}});
+  trio.give(kAnna, Need{{{street(0, 100)}}});
   trio.run_for(1);
   trio.give(kAnna, Need{});
   trio.run_for(1);
@@ -147,7 +160,7 @@ struct Start {
 };
 
 std::vector<Start> starts() {
-  const Need home{{street(0, 100)}}, elsewhere{{street(300, 400)}};
+  const Need home{{{street(0, 100)}}}, elsewhere{{{street(300, 400)}}};
   return {{"nothing is kept yet", [=](Trio& trio, const auto& uav) { trio.give(uav, home); }},
           {"it is kept",
            [=](Trio& trio, const auto& uav) {
@@ -163,7 +176,7 @@ std::vector<Start> starts() {
            [=](Trio& trio, const auto& uav) {
              trio.give(uav, home);
              trio.run_for(1);
-             trio.give(uav, Want{{elsewhere.volumes}});
+             trio.give(uav, Want{elsewhere.choices});
            }},
           {"other air was kept", [=](Trio& trio, const auto& uav) {
              trio.give(uav, elsewhere);
@@ -192,7 +205,7 @@ TEST(Standby, WhoMayHaveForgottenTakesNothingBeforeAllHaveAnswered) {
   trio.run_for(1, {kGround});
   ASSERT_EQ(trio.granted(kBert), 1);
   trio.forget(kAnna);
-  trio.give(kAnna, Need{{street(0, 100)}});
+  trio.give(kAnna, Need{{{street(0, 100)}}});
   trio.run_for(10, {kBert});
   trio.is_alone(kAnna);
   trio.give(kAnna, Want{{{street(0, 100)}}});
@@ -201,8 +214,8 @@ TEST(Standby, WhoMayHaveForgottenTakesNothingBeforeAllHaveAnswered) {
 
 TEST(StandbySearch, NorDoTwoThatTakeWhatIsKeptForThem) {
   Trio trio = two();
-  trio.give(kAnna, Need{{street(0, 100)}});
-  trio.give(kBert, Need{{street(50, 150)}});
+  trio.give(kAnna, Need{{{street(0, 100)}}});
+  trio.give(kBert, Need{{{street(50, 150)}}});
   trio.give(kBert, Want{{{street(90, 95)}}});
   trio.is_alone(kBert);
   trio.give(kBert, Want{{{street(50, 150)}}});
@@ -213,7 +226,7 @@ TEST(StandbySearch, NorDoTwoThatTakeWhatIsKeptForThem) {
 // That the search finds what there is to find: two witnesses are none.
 TEST(StandbySearch, WhereEachHasItsOwnWitnessTheSameSearchFindsTwo) {
   Trio trio({{kAnna, "one"}, {kBert, "another"}});
-  trio.give(kAnna, Need{{street(0, 100)}});
+  trio.give(kAnna, Need{{{street(0, 100)}}});
   trio.run_for(1);
   trio.give(kAnna, InReach{kBert, false});
   trio.give(kBert, InReach{kAnna, false});

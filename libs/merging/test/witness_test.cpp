@@ -210,7 +210,7 @@ RC_GTEST_PROP(MergerProperty, WithAWitnessNobodyHasTheAirOfAnother, ()) {
     } else if (drawn < 0.995) {
       const double from = random.uniform(0, 100);
       kept[name] = street(from, from + random.uniform(5, 60));
-      trio.give(name, Need{{kept[name]}});
+      trio.give(name, Need{{{kept[name]}}});
     } else if (kept.contains(name) && !trio.member(name).waits()) {
       trio.is_alone(name);
       trio.give(name, Want{{{kept[name]}}});

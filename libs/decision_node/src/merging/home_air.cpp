@@ -33,8 +33,8 @@ bool HomeAir::is_new(const std::optional<Vector3>& rest) const {
 void HomeAir::look(const std::optional<Vector3>& rest, const AirwaySituation& situation) {
   from_ = rest;
   world_ = core_.deliberation().world();
-  flight_.reset();
-  air_.clear();
+  flights_.clear();
+  choices_.clear();
   if (!rest) return;
   const MergingConfig& config = *core_.config().merging;
   const auto& place = core_.config().home;
@@ -44,26 +44,25 @@ void HomeAir::look(const std::optional<Vector3>& rest, const AirwaySituation& si
   there.state.airborne = true;
   there.state.position = *rest;
   there.rest = rest;
-  if ((*rest - home).norm() > margins.settled && !add_flight(home, there)) return;
-  const Vector3 wavering(0, 0, margins.slope);
-  air_.push_back(landing_at(home + wavering, margins));
+  const merging::Volume landing = landing_at(home + Vector3(0, 0, margins.slope), margins);
+  if ((*rest - home).norm() <= margins.settled) return choices_.push_back({landing});
+  flights_ = ways_to(home, there);
+  for (const Airway& one : flights_) {
+    choices_.push_back(one.air);
+    choices_.back().push_back(landing);
+  }
 }
 
-bool HomeAir::add_flight(const Vector3& home, const AirwaySituation& there) {
+Airways HomeAir::ways_to(const Vector3& home, const AirwaySituation& there) const {
   const auto way = supervisor::own_way(core_.config().knowledge, world_, there.now, *from_, home);
-  auto ways = airways_of(along(way), false, *core_.config().merging, there);
-  if (!ways || ways->empty()) return false;
-  flight_ = std::move(ways->front());
-  air_ = flight_->air;
-  return true;
+  return airways_of(along(way), true, *core_.config().merging, there).value_or(Airways());
 }
 
-std::optional<Airway> HomeAir::flight(const functional::Request& request,
-                                      const std::optional<Vector3>& rest) const {
-  if (!flight_ || request.type != "goto" || !is_own(request.id) || rest != from_)
-    return std::nullopt;
-  Airway home = *flight_;
-  home.request.id = request.id;
+Airways HomeAir::flights(const functional::Request& request,
+                         const std::optional<Vector3>& rest) const {
+  if (request.type != "goto" || !is_own(request.id) || rest != from_) return {};
+  Airways home = flights_;
+  for (Airway& one : home) one.request.id = request.id;
   return home;
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "merging/airways.hpp"
 
@@ -25,22 +26,22 @@ class HomeAir {
   bool is_new(const std::optional<world::Vector3>& rest) const;
   /// Cost: that of planning a way.
   void look(const std::optional<world::Vector3>& rest, const AirwaySituation& situation);
-  /// All of it; empty: it would not fly home, or cannot.
-  const merging::Volumes& air() const { return air_; }
+  /// All of it, as its policy would fly and then higher; empty: it would not fly home, or cannot.
+  const std::vector<merging::Volumes>& choices() const { return choices_; }
   /// The same in the place of a flight home by its policy that begins where it rests.
-  std::optional<Airway> flight(const functional::Request& request,
-                               const std::optional<world::Vector3>& rest) const;
+  Airways flights(const functional::Request& request,
+                  const std::optional<world::Vector3>& rest) const;
 
  private:
   bool returns() const;
-  bool add_flight(const world::Vector3& home, const AirwaySituation& there);
+  Airways ways_to(const world::Vector3& home, const AirwaySituation& there) const;
 
   Core& core_;
   bool reaches_ground_ = true;
   std::optional<world::Vector3> from_;
   std::shared_ptr<const world::World> world_;  ///< for which it was planned
-  std::optional<Airway> flight_;
-  merging::Volumes air_;
+  Airways flights_;
+  std::vector<merging::Volumes> choices_;
 };
 
 }  // namespace skein::decision_node

@@ -172,7 +172,7 @@ void Merging::ask() {
     waiting_->why_not = airways.error().why;
     return;
   }
-  if (auto home = home_.flight(waiting_->request, rest_)) airways->push_back(std::move(*home));
+  for (Airway& home : home_.flights(waiting_->request, rest_)) airways->push_back(std::move(home));
   waiting_->why_not.clear();
   waiting_->aside_since.reset();
   want(std::move(*airways));
@@ -288,7 +288,7 @@ void Merging::hold() {
   const auto rest = flown_ && !flown_->over ? flown_->airway.end : rest_;
   if (!home_.is_new(rest)) return;
   home_.look(rest, situation());
-  give(merging::Need{home_.air()});
+  give(merging::Need{home_.choices()});
 }
 
 // ---- waiting ----

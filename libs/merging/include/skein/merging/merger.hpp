@@ -42,10 +42,10 @@ struct Withdraw {};
 struct Hold {
   Volumes volumes;
 };
-/// What it would take if it could ask nobody, its way home; empty: nothing. Without a witness it
-/// has no effect.
+/// It would take one of these if it could ask nobody, its way home; empty: nothing. Without a
+/// witness it has no effect.
 struct Need {
-  Volumes volumes;
+  std::vector<Volumes> choices;
 };
 /// It never lived before, so it has promised nothing that it does not know of. Who is not told so
 /// may have forgotten, and takes no witness's word for a member that has not answered it yet.
