@@ -5,6 +5,7 @@
 #include "builders.hpp"
 #include "story/joint_story.hpp"
 #include "timeline/timeline.hpp"
+#include "timeline_page.hpp"
 
 namespace skein::report {
 namespace {
@@ -62,6 +63,18 @@ TEST_F(JointView, AJointTaskIsItsPhasesWithRoleAndBlocks) {
   EXPECT_EQ(stories[0].segments[2].span, (Span{20, 40}));
   EXPECT_EQ(stories[0].end, "aborted");
   EXPECT_EQ(stories[0].why, "no contact");
+}
+
+TEST(JointTimeline, ATaskOfARoleIsNamedAsItsModelNamesIt) {
+  const std::string page = testing::page_of_timeline(
+      std::string(testing::kFlight) +
+      R"({"at":10,"node":"uav1","kind":"role-task","uav":"uav1","joint":"watch(P1) of uav1, uav2","role":"perceive","componel":"t14","block":"b15","task":500047000,"of":2,"type":"goto"}
+{"at":10,"node":"uav1","kind":"task","uav":"uav1","task":500047000,"type":"goto","state":"running"}
+{"at":60,"node":"uav1","kind":"task","uav":"uav1","task":500047000,"type":"goto","state":"ended"}
+)");
+
+  EXPECT_EQ(count(page, ">t14 goto<"), 1U);
+  EXPECT_EQ(count(page, "uav1: task t14 goto (500047000)"), 1U);
 }
 
 TEST_F(JointView, AViolationLastsUntilTheConstraintHoldsAgain) {

@@ -155,7 +155,15 @@ class BarBuilder {
 std::vector<TaskBar> tell_tasks(const Journal& journal, UavTable& uavs, double end) {
   BarBuilder builder(uavs);
   for (const TaskRecord& r : journal.tasks) builder.add(r);
-  return builder.finish(end);
+  std::vector<TaskBar> bars = builder.finish(end);
+  std::map<std::pair<std::size_t, std::uint64_t>, std::string> componels;
+  for (const auto& told : journal.role_tasks)
+    componels[{uavs.index(told.line.uav), told.line.task}] = told.line.componel;
+  for (TaskBar& bar : bars) {
+    const auto found = componels.find({bar.uav, bar.id});
+    if (found != componels.end()) bar.componel = found->second;
+  }
+  return bars;
 }
 
 std::vector<NamedSpan> tell_phases(const Journal& journal, double end) {

@@ -33,6 +33,7 @@ struct TaskBar {
   std::size_t uav = 0;  ///< index into Chronology::uavs
   std::uint64_t id = 0;
   std::string type;
+  std::string componel = {};          ///< of the role of a joint task that asked for it
   std::vector<TaskSegment> segments;  ///< adjoining, in time order; none of a terminal state
   Span span;
   std::optional<TaskState> outcome;  ///< kEnded or kAborted; none: still alive when the log ends

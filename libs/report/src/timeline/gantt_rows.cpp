@@ -34,6 +34,7 @@ LabelPlace label_place(const TaskBar& bar, const Axis& x) {
 
 std::string bar_title(const std::string& uav, const TaskBar& bar) {
   std::string text = uav + ": task " + bar_label(bar);
+  if (!bar.componel.empty()) text += " (" + std::to_string(bar.id) + ")";
   for (const TaskSegment& s : bar.segments) {
     text += "\n" + std::string(name_of(s.state)) + " " + clock_text(s.span.from);
   }
@@ -243,7 +244,8 @@ std::string uav_style(const Sheet& sheet, const std::string& uav, bool refused) 
 }  // namespace
 
 std::string bar_label(const TaskBar& bar) {
-  return std::to_string(bar.id) + " " + shortened(bar.type, 22);
+  const std::string name = bar.componel.empty() ? std::to_string(bar.id) : bar.componel;
+  return name + " " + shortened(bar.type, 22);
 }
 
 std::vector<PlacedBar> pack(const std::vector<const TaskBar*>& bars, const Axis& x,
