@@ -143,7 +143,7 @@ class RoleChecker {
                    nearest_name(name, names_in(known)));
     } else if (!fits(found->type, wanted)) {
       reader.error("'" + name + "' is of type " + std::string(to_text(found->type)),
-                   "a " + std::string(to_text(wanted)));
+                   "one of type " + std::string(to_text(wanted)));
     }
   }
 

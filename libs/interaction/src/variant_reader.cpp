@@ -477,7 +477,7 @@ class VariantReader {
                    nearest_name(name, names_in(variant_.parameters)));
     } else if (!fits(given->type, parameter.type)) {
       reader.error("'" + name + "' is of type " + std::string(to_text(given->type)),
-                   "a " + std::string(to_text(parameter.type)));
+                   "one of type " + std::string(to_text(parameter.type)));
     }
     return name;
   }
