@@ -99,6 +99,7 @@ class NegotiationManager::Core {
     }
     wanted_[begin.subject] = {begin.modality, terms.members, begin.model};
     over_by_[begin.subject] = terms.deadline + begin.within;
+    turn_down_others(begin.subject, out);
     Session* invited = invitation_to(begin.subject);
     join(invited != nullptr ? *invited : open(std::move(terms)), out);
     return {};
@@ -207,7 +208,8 @@ class NegotiationManager::Core {
     const auto known = sessions_.find(message.terms.id());
     if (known != sessions_.end()) {
       // Who still can come after us hears where we are; who promised hears that we refuse.
-      if (known->second.moved() && current != nullptr && !known->second.is_bound(message.from)) {
+      const bool moved = known->second.moved() && shares(current, message.from);
+      if (moved && !known->second.is_bound(message.from)) {
         current->tell(message.from, out);
         return std::nullopt;
       }
@@ -218,6 +220,8 @@ class NegotiationManager::Core {
     if (!forgotten && message.terms.deadline <= now_) return "of a session that is over";
     if (forgotten) {
       fresh.lose();
+    } else if (current != nullptr && current->terms().members != message.terms.members) {
+      return turn_down(std::move(fresh), message, out);
     } else if (current != nullptr && !earlier(message.terms, current->terms())) {
       current->tell(message.from, out);  // who sent it will come after us
       return std::nullopt;
@@ -236,6 +240,29 @@ class NegotiationManager::Core {
       out.emplace_back(InvitedToNegotiate{session.terms()});
     }
     return problem;
+  }
+
+  /// Invitations of other members than those with whom it is to be negotiated.
+  void turn_down_others(const std::string& subject, NegotiationEffects& out) {
+    const Wanted& wanted = wanted_.at(subject);
+    for (auto& [id, session] : sessions_) {
+      if (id.subject != subject || session.takes_part() || session.decided()) continue;
+      if (session.terms().members == wanted.members || session.terms().deadline <= now_) continue;
+      const std::string why = session.turn_down(wanted, now_, out);
+      out.emplace_back(MessageRejected{id.opener, subject, why});
+    }
+  }
+
+  /// Of other members than those with whom the subject is being negotiated.
+  std::string turn_down(Session fresh, const SessionMessage& message, NegotiationEffects& out) {
+    const std::string& subject = message.terms.subject;
+    Session& session = sessions_.emplace(message.terms.id(), std::move(fresh)).first->second;
+    if (const auto problem = session.receive(message, now_, out)) return *problem;
+    return session.turn_down(wanted_.at(subject), now_, out);
+  }
+
+  static bool shares(const Session* current, const std::string& uav) {
+    return current != nullptr && is_in(uav, current->terms().members);
   }
 
   bool moves_to(const Terms& terms, const Session& current) const {

@@ -130,6 +130,16 @@ void Session::leave(const std::string& why) {
   set_refused(why);
 }
 
+std::string Session::turn_down(const Wanted& wanted, MissionTime now, NegotiationEffects& out) {
+  SKEIN_EXPECTS(!joined_);
+  const FactBits before = facts_.bits();
+  const std::string why = difference(wanted, terms_).value_or("another is under way");
+  if (may_refuse()) set_refused(why);
+  plan_to_tell(before);
+  send(now, out);
+  return why;
+}
+
 bool Session::is_bound(const std::string& uav) const {
   return facts_[member(uav)].vow == Vow::kPromised;
 }

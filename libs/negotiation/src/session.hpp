@@ -25,6 +25,7 @@ struct Wanted {
 ///   (new)           a message                                        invited
 ///   (new)           a message with more about it than it said        lost
 ///   (new), invited  join                                             taking part
+///   (new)           a message, while it takes part with others       refused (turned down)
 ///   taking part     offers of all, and what follows from them        promised
 ///   taking part     half the time, a bad offer, somebody lost, …     refused
 ///   taking part     another session of the subject                   refused (moved)
@@ -43,6 +44,8 @@ class Session {
   /// Goes on with another session: refuses without telling anybody who does not ask, and gives no
   /// end. Precondition: may_refuse().
   void leave(const std::string& why);
+  /// Refuses, without taking part: it is not what is negotiated now. Returns why.
+  std::string turn_down(const Wanted& wanted, MissionTime now, NegotiationEffects& out);
   /// Why the message has no effect; absent: it has.
   std::optional<std::string> receive(const SessionMessage& message, MissionTime now,
                                      NegotiationEffects& out);

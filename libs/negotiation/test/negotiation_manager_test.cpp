@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/negotiation/negotiation_manager.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "testing/negotiating_team.hpp"
@@ -9,7 +10,9 @@ namespace skein::interaction {
 namespace {
 
 using testing::begin_roles;
+using ::testing::ElementsAre;
 using testing::name_of;
+using testing::names;
 using testing::Team;
 using Kind = NegotiationOutcome::Kind;
 
@@ -401,6 +404,60 @@ TEST(NegotiationManager, AMemberThatAnswersNonsenseIsRefusedWithTheReason) {
 
   EXPECT_EQ(team.ends().at(0).why, "a: the offer of b: unknown role 'fly-to-the-moon'");
   EXPECT_EQ(team.ends().at(1).kind, Kind::kFailed);
+}
+
+/// What c says of a session of its own about the same, with a third member.
+SessionMessage session_of_c(MissionTime opened) {
+  SessionMessage message;
+  message.from = "c";
+  message.terms = {"mref/roles", 1,     "role-allocation", names(3), ModelHash{7}, {}, "c",
+                   opened,       at(30)};
+  for (const std::string& uav : names(3)) {
+    message.entries.emplace_back();
+    message.entries.back().uav = uav;
+  }
+  return message;
+}
+
+/// Opened before that of the two, and after it; some come before they begin.
+class SessionOfOtherMembers : public ::testing::TestWithParam<double> {};
+
+TEST_P(SessionOfOtherMembers, IsTurnedDownWithTheReasonAndTheOthersAgree) {
+  Team team(3, tenth());
+  team.begin_when_invited(1, begin_roles(2));
+  team.set_job_time(Duration::milliseconds(200));
+  team.at(at(0.2), [&] { team.begin(0, begin_roles(2)); });
+  for (const double when : {0.05, 0.15, 0.25, 0.35, 0.45, 0.55}) {
+    const SessionMessage intruding = session_of_c(at(GetParam() + when / 100));
+    team.at(at(when), [&, intruding] {
+      for (const std::size_t to : {0, 1}) team.give(to, SessionMessageReceived{intruding});
+    });
+  }
+
+  team.run_until(at(20));
+
+  const auto& two = team.outcomes().all().begin()->second;
+  ASSERT_EQ(team.outcomes().all().size(), 1U) << team.outcomes().text();
+  EXPECT_EQ(two.at(0).kind, Kind::kAgreed) << two.at(0).why;
+  EXPECT_EQ(two.at(1).kind, Kind::kAgreed) << two.at(1).why;
+  EXPECT_THAT(team.rejected(), ::testing::Contains("other members: a, b, not a, b, c"));
+}
+
+INSTANTIATE_TEST_SUITE_P(NegotiationManager, SessionOfOtherMembers, ::testing::Values(-1, 0.3),
+                         [](const auto& one) { return one.param < 0 ? "Earlier" : "Later"; });
+
+TEST(NegotiationManager, WhoWantOtherMembersFailAtBothWithBothNamed) {
+  Team team(3, tenth());
+  team.begin(0, begin_roles(2));
+  team.begin(1, begin_roles(3));
+
+  team.run_until(at(20));
+
+  std::vector<std::string> whys;
+  for (const auto& [id, ends] : team.outcomes().all())
+    for (const auto& [member, end] : ends) whys.push_back(name_of(member) + " hears of " + end.why);
+  EXPECT_THAT(whys, ElementsAre("a hears of b: other members: a, b, c, not a, b",
+                                "b hears of a: other members: a, b, not a, b, c"));
 }
 
 TEST(NegotiationManager, TwoFactsThatExcludeEachOtherAreRejected) {
