@@ -39,9 +39,9 @@ struct Annealing {
 };
 constexpr std::array<Annealing, 5> kAnnealings = {{{6e-4, 1.0 / 75, 1, 1, 4},
                                                    {2e-3, 1.0 / 75, 1, 1, 4},
-                                                   {4e-3, 1.0 / 200, 4, 0.97, 3},
-                                                   {4e-3, 1.0 / 200, 16, 0.97, 3},
-                                                   {4e-3, 1.0 / 200, 16, 0.94, 3}}};
+                                                   {4e-3, 1.0 / 200, 2, 1, 4},
+                                                   {4e-3, 1.0 / 200, 8, 0.97, 3},
+                                                   {4e-3, 1.0 / 200, 16, 0.97, 3}}};
 /// What is found is looked no further for when the goals are met by so much: a lawn mower may do a
 /// little better than everything in turn, which they are measured by.
 constexpr double kSurelyMet = 0.99;

@@ -18,7 +18,7 @@ constexpr std::uint32_t kChange = 250;
 constexpr std::uint64_t kChangesAStep = 64, kParts = 128;
 /// What a gap too long by its whole length counts at the end, beside the mean; nothing before a
 /// fifth of the changes are tried, and all of it from four fifths on.
-constexpr double kTooLong = 1, kCountsFrom = 0.2, kCountsWholly = 0.8;
+constexpr double kTooLong = 3, kCountsFrom = 0.2, kCountsWholly = 0.8;
 /// No walk is made shorter than that many visits; one of few places may always grow to so many.
 constexpr std::size_t kShortest = 8, kMostOfFew = 100;
 /// What is so much worse, in temperatures, is never taken.

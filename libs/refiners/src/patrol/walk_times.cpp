@@ -6,8 +6,11 @@
 namespace skein::refiners {
 namespace {
 
-/// A place that a walk leaves out waits as many times as long as the walk takes.
-constexpr double kLeftOut = 8;
+/// A place that a walk leaves out waits as many times as long as the walk takes, and counts as much
+/// as a gap that is too long by that: where much is too long, leaving places out would pay.
+constexpr double kLeftOut = 8, kLeftOutTooLong = 3;
+/// A gap that is so much of the longest allowed may become too long by a change elsewhere.
+constexpr double kNearlyTooLong = 0.9;
 
 }  // namespace
 
@@ -29,6 +32,11 @@ double WalkTimes::too_long(double top, double gap) const {
 void WalkTimes::add_gap(const WalkGraph::Place& place, double gap, Share& share) const {
   share.squares += place.risk * gap * gap;
   share.late += too_long(place.top, gap);
+}
+
+void WalkTimes::add_left_out(const WalkGraph::Place& place, double period, Share& share) const {
+  add_gap(place, kLeftOut * period, share);
+  share.late += measure_.too_long * kLeftOutTooLong * kLeftOutTooLong;
 }
 
 double WalkTimes::weighed(const Share& share, double period) const {
@@ -63,18 +71,22 @@ void WalkTimes::note_times() {
 
 void WalkTimes::note_gaps() {
   all_ = {};
+  long_gaps_.clear();
+  const bool counts_long = measure_.too_long > 0;
   growth_.assign(walk_.size(), 0);
   double open = 0;  // before the first visit
   for (std::size_t p = 0; p < visits_.size(); ++p) {
     const WalkGraph::Place& place = graph_.places[p];
     const std::vector<std::size_t>& visits = visits_[p];
     Share& share = shares_[p] = {};
-    if (visits.empty()) add_gap(place, kLeftOut * period_, share);
+    if (visits.empty()) add_left_out(place, period_, share);
     for (std::size_t k = 0; k < visits.size(); ++k) {
       const bool wraps = k + 1 == visits.size();
       const std::size_t next = visits[wraps ? 0 : k + 1];
       const double gap = times_[next] - times_[visits[k]] + (wraps ? period_ : 0);
       add_gap(place, gap, share);
+      if (counts_long && place.top * gap > kNearlyTooLong * measure_.worst_risk_idleness)
+        long_gaps_.push_back({static_cast<std::uint32_t>(p), visits[k], next, gap});
       growth_[visits[k]] += place.risk * gap;
       growth_[next] -= place.risk * gap;
       if (wraps) open += place.risk * gap;
@@ -129,7 +141,7 @@ WalkTimes::Share WalkTimes::share_after(std::uint32_t place, const WalkChange& c
   }
   Share share;
   const double period = period_ + stretch.longer;
-  if (scratch_.empty()) add_gap(graph_.places[place], kLeftOut * period, share);
+  if (scratch_.empty()) add_left_out(graph_.places[place], period, share);
   for (std::size_t k = 0; k < scratch_.size(); ++k)
     add_gap(graph_.places[place],
             k + 1 < scratch_.size() ? scratch_[k + 1] - scratch_[k]
@@ -146,6 +158,21 @@ double WalkTimes::open_gap(std::uint32_t place, std::size_t visit) const {
   const std::size_t from = next == visits.begin() ? visits.back() : *(next - 1);
   const std::size_t to = next == visits.end() ? visits.front() : *next;
   return times_[to] - times_[from] + (wraps ? period_ : 0);
+}
+
+/// What gaps elsewhere that are open at a change add to what is too long as they grow by it.
+double WalkTimes::later(const WalkChange& change, double longer, const std::uint32_t* judged,
+                        std::size_t count) const {
+  double sum = 0;
+  for (const LongGap& gap : long_gaps_) {
+    const bool wraps = gap.to <= gap.from;
+    const bool is_open = wraps ? change.after >= gap.from || change.after < gap.to
+                               : change.after >= gap.from && change.after < gap.to;
+    if (!is_open || std::find(judged, judged + count, gap.place) != judged + count) continue;
+    const double top = graph_.places[gap.place].top;
+    sum += too_long(top, gap.gap + longer) - too_long(top, gap.gap);
+  }
+  return sum;
 }
 
 double WalkTimes::badness_after(const WalkChange& change) const {
@@ -167,6 +194,7 @@ double WalkTimes::badness_after(const WalkChange& change) const {
   for (std::size_t k = 1; k <= change.taken; ++k) judge(walk_[ahead(change.after, k)]);
   for (std::size_t k = 0; k < change.puts; ++k) judge(change.put[k]);
   // Every gap that is open there grows.
+  then.late += later(change, changed.longer, judged.data(), count);
   then.squares += changed.longer * (2 * growth + changed.longer * risk);
   return weighed(then, period_ + changed.longer);
 }
@@ -198,7 +226,10 @@ double WalkTimes::badness_of(const Walk& walk) const {
     now += half + graph_.length(place, next);
   }
   for (std::size_t p = 0; p < first_.size(); ++p)
-    add_gap(graph_.places[p], first_[p] < 0 ? kLeftOut * now : first_[p] + now - last_[p], share);
+    if (first_[p] < 0)
+      add_left_out(graph_.places[p], now, share);
+    else
+      add_gap(graph_.places[p], first_[p] + now - last_[p], share);
   return weighed(share, now);
 }
 

@@ -40,9 +40,9 @@ class WalkTimes {
   double badness() const { return badness_; }
   const std::vector<std::size_t>& visits(std::uint32_t place) const { return visits_[place]; }
 
-  /// The badness after a change: exact but for how visits elsewhere that come later, or earlier,
-  /// change what is too long. Precondition: the changed walk is one. Cost: O(visits to the places
-  /// changed).
+  /// The badness after a change; exact where the change is not longer than a tenth of the gaps that
+  /// may become too long. Precondition: the changed walk is one. Cost: O(visits to the places
+  /// changed + gaps that are nearly too long).
   double badness_after(const WalkChange& change) const;
   Walk changed(const WalkChange& change) const;
   /// The badness of another walk. Cost: O(places + visits).
@@ -54,9 +54,18 @@ class WalkTimes {
     double squares = 0, late = 0;
   };
   struct Stretch;
+  /// From the first of two visits to the second, which comes earlier in the walk when it wraps.
+  struct LongGap {
+    std::uint32_t place;
+    std::size_t from, to;
+    double gap;
+  };
 
   double too_long(double top, double gap) const;
   void add_gap(const WalkGraph::Place& place, double gap, Share& share) const;
+  void add_left_out(const WalkGraph::Place& place, double period, Share& share) const;
+  double later(const WalkChange& change, double longer, const std::uint32_t* judged,
+               std::size_t count) const;
   double weighed(const Share& share, double period) const;
   void note_times();
   void note_gaps();
@@ -73,7 +82,8 @@ class WalkTimes {
   std::vector<std::vector<std::size_t>> visits_;  ///< per place, in order
   std::vector<Share> shares_;                     ///< per place
   Share all_;
-  std::vector<double> growth_;  ///< per visit: risk × gap of all gaps that are open after it
+  std::vector<double> growth_;      ///< per visit: risk × gap of all gaps that are open after it
+  std::vector<LongGap> long_gaps_;  ///< those that are too long, or nearly so
   double badness_ = 0;
   mutable std::vector<double> scratch_, first_, last_;
 };

@@ -219,6 +219,30 @@ TEST(WalkTimes, KnowsWhatAChangeMakesOfTheMeanBeforeItIsMade) {
   }
 }
 
+/// What is too long elsewhere too: all gaps that are open at a change grow by it, or shrink.
+TEST(WalkTimes, KnowsWhatAChangeMakesOfAllThatIsTooLong) {
+  const Site site(20, 20, 1, 4);
+  const WalkGraph graph = graph_of(site);
+  WalkTimes times(graph);
+  times.take(walk_in_turn(graph));
+  const double longest = static_cast<double>(times.walk().size()) * graph.places[0].links[0].length;
+  Random random(5);
+  std::size_t elsewhere = 0;
+  for (const double part : {1.0, 0.7, 0.3}) {
+    const WalkMeasure measure{
+        .mean_idleness = 1e6, .worst_risk_idleness = part * longest, .too_long = 0.7};
+    times.measure_by(measure);
+    for (const WalkChange& change : changes_of(graph, times.walk(), random)) {
+      const Walk changed = times.changed(change);
+      if (!visits_all(graph, changed)) continue;
+      const double then = badness_by_hand(graph, changed, measure);
+      EXPECT_NEAR(times.badness_after(change), then, 1e-9);
+      elsewhere += then > times.badness() + 1e-6 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(elsewhere, 50U);
+}
+
 struct Annealed {
   Walk walk;
   double badness;
