@@ -16,9 +16,10 @@ using Place = std::uint32_t;
 /// About what it takes to try a change [ns].
 constexpr std::uint32_t kChange = 250;
 constexpr std::uint64_t kChangesAStep = 64, kParts = 128;
-/// What a gap too long by its whole length counts at the end, beside the mean; nothing before a
+/// What a gap too long by its whole length counts at the end, beside the mean, and where gaps
+/// elsewhere are looked at; nothing before a
 /// fifth of the changes are tried, and all of it from four fifths on.
-constexpr double kTooLong = 3, kCountsFrom = 0.2, kCountsWholly = 0.8;
+constexpr double kTooLong = 1, kTooLongElsewhere = 3, kCountsFrom = 0.2, kCountsWholly = 0.8;
 /// No walk is made shorter than that many visits; one of few places may always grow to so many.
 constexpr std::size_t kShortest = 8, kMostOfFew = 100;
 /// What is so much worse, in temperatures, is never taken.
@@ -64,7 +65,7 @@ class WalkSearch {
     const double counts =
         std::clamp((part - kCountsFrom) / (kCountsWholly - kCountsFrom), 0.0, 1.0);
     WalkMeasure measure = measure_;
-    measure.too_long = kTooLong * counts * counts;
+    measure.too_long *= counts * counts;
     now_.measure_by(measure);
     least_ = now_.badness();
     best_ = now_.walk();
@@ -238,7 +239,9 @@ class WalkSearch {
 
 Walk annealed_walk(const WalkGraph& graph, const CycleGoal& goal, double speed,
                    const Cooling& cooling, const CycleTime& time) {
-  const WalkMeasure measure{goal.mean_idleness * speed, goal.worst_risk_idleness * speed, kTooLong};
+  const WalkMeasure measure{goal.mean_idleness * speed, goal.worst_risk_idleness * speed,
+                            cooling.looks_elsewhere ? kTooLongElsewhere : kTooLong,
+                            cooling.looks_elsewhere};
   return WalkSearch(graph, measure, cooling).run(time);
 }
 

@@ -14,6 +14,7 @@ struct Cooling {
   double from = 6e-4, to = 8e-6;          ///< temperatures, falling by a constant factor
   std::uint64_t changes_a_place = 12000;  ///< so many changes are tried for each place
   std::size_t visits_a_place = 4;         ///< in the mean; longer walks are not tried
+  bool looks_elsewhere = false;           ///< as in WalkMeasure
   std::uint64_t seed = 1;
 };
 

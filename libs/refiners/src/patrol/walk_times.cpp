@@ -36,7 +36,7 @@ void WalkTimes::add_gap(const WalkGraph::Place& place, double gap, Share& share)
 
 void WalkTimes::add_left_out(const WalkGraph::Place& place, double period, Share& share) const {
   add_gap(place, kLeftOut * period, share);
-  share.late += measure_.too_long * kLeftOutTooLong * kLeftOutTooLong;
+  if (measure_.looks_elsewhere) share.late += measure_.too_long * kLeftOutTooLong * kLeftOutTooLong;
 }
 
 double WalkTimes::weighed(const Share& share, double period) const {
@@ -72,7 +72,7 @@ void WalkTimes::note_times() {
 void WalkTimes::note_gaps() {
   all_ = {};
   long_gaps_.clear();
-  const bool counts_long = measure_.too_long > 0;
+  const bool counts_long = measure_.looks_elsewhere && measure_.too_long > 0;
   growth_.assign(walk_.size(), 0);
   double open = 0;  // before the first visit
   for (std::size_t p = 0; p < visits_.size(); ++p) {

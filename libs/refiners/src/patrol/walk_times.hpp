@@ -16,6 +16,8 @@ struct WalkMeasure {
   double mean_idleness = 1;
   double worst_risk_idleness = 1;
   double too_long = 1;  ///< what a gap too long by its whole length counts
+  /// A change is judged by what it makes of all that is too long, not of its own places alone.
+  bool looks_elsewhere = false;
 };
 
 /// Of the places after one of the visits some are taken out and others put in their stead.
@@ -40,9 +42,9 @@ class WalkTimes {
   double badness() const { return badness_; }
   const std::vector<std::size_t>& visits(std::uint32_t place) const { return visits_[place]; }
 
-  /// The badness after a change; exact where the change is not longer than a tenth of the gaps that
-  /// may become too long. Precondition: the changed walk is one. Cost: O(visits to the places
-  /// changed + gaps that are nearly too long).
+  /// The badness after a change; exact where what is too long elsewhere is looked at and the change
+  /// is not longer than a tenth of the gaps that may become so. Precondition: the changed walk is
+  /// one. Cost: O(visits to the places changed + gaps that are nearly too long).
   double badness_after(const WalkChange& change) const;
   Walk changed(const WalkChange& change) const;
   /// The badness of another walk. Cost: O(places + visits).

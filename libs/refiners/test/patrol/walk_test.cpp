@@ -229,8 +229,10 @@ TEST(WalkTimes, KnowsWhatAChangeMakesOfAllThatIsTooLong) {
   Random random(5);
   std::size_t elsewhere = 0;
   for (const double part : {1.0, 0.7, 0.3}) {
-    const WalkMeasure measure{
-        .mean_idleness = 1e6, .worst_risk_idleness = part * longest, .too_long = 0.7};
+    const WalkMeasure measure{.mean_idleness = 1e6,
+                              .worst_risk_idleness = part * longest,
+                              .too_long = 0.7,
+                              .looks_elsewhere = true};
     times.measure_by(measure);
     for (const WalkChange& change : changes_of(graph, times.walk(), random)) {
       const Walk changed = times.changed(change);
