@@ -39,6 +39,7 @@ wire::MergeMessage to_wire(const merging::Message& message) {
   sample.request = message.claim.request;
   sample.wanted = to_wire(message.claim.wanted);
   sample.waits_for = message.claim.waits_for;
+  sample.keeps = message.claim.keeps;
   sample.answered = message.answered;
   sample.granted = message.granted;
   sample.asks = message.asks;
@@ -52,7 +53,8 @@ Read<merging::Message> from_wire(const wire::MergeMessage& sample) {
   if (!wanted) return tl::unexpected(wanted.error());
   merging::Message message;
   message.number = sample.number;
-  message.claim = {std::move(*held), sample.request, std::move(*wanted), sample.waits_for};
+  message.claim = {std::move(*held), sample.request, std::move(*wanted), sample.waits_for,
+                   sample.keeps};
   message.answered = sample.answered;
   message.granted = sample.granted;
   message.asks = sample.asks;

@@ -28,7 +28,8 @@ RC_GTEST_PROP(MergeMessage, ComesBackAsItWent, ()) {
   message.number = *rc::gen::arbitrary<std::uint64_t>();
   message.claim = {
       any_volumes(), *rc::gen::arbitrary<std::uint64_t>(), any_volumes(),
-      *rc::gen::element(std::vector<std::string>{}, std::vector<std::string>{"heliv", "karma"})};
+      *rc::gen::element(std::vector<std::string>{}, std::vector<std::string>{"heliv", "karma"}),
+      *rc::gen::arbitrary<bool>()};
   message.answered = *rc::gen::arbitrary<std::uint64_t>();
   message.granted = *rc::gen::arbitrary<bool>();
   message.asks = *rc::gen::arbitrary<bool>();

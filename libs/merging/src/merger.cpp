@@ -347,19 +347,18 @@ void Merger::tell(const std::string& name, bool asks) {
 void Merger::tell_witness(bool asks) {
   if (!third_ || !third_->reachable) return;
   Claim told = claim();
-  bool keeps = false;
   if (request_ != 0) {
     standby_.replace(now_);
   } else {
     if (standby_.is_due(now_)) standby_.ask(requests_.next(now_), now_);
-    keeps = standby_.request() != 0;
-    if (keeps) {
+    told.keeps = standby_.request() != 0;
+    if (told.keeps) {
       told.request = standby_.request();
       told.wanted = standby_.volumes();
       asks = !standby_.kept();
     }
   }
-  out_.push_back(Tell{third_->name, Message{numbers_.next(now_), std::move(told), 0, keeps, asks}});
+  out_.push_back(Tell{third_->name, Message{numbers_.next(now_), std::move(told), 0, false, asks}});
 }
 
 /// The witness is told what changes, and asked; it needs no beat.

@@ -37,7 +37,7 @@ std::vector<Witness::Answer> Witness::hear(const std::string& from, const Messag
   std::vector<Answer> answers{answer_to(from, request, record.granted, now)};
   if (record.granted) return answers;
   answers.front().message.claim.waits_for = refusers_;
-  if (record.keeps) return answers;
+  if (record.claim.keeps) return answers;
   for (const std::string& name : refusers_) {
     const Record& other = records_.at(name);
     if (is_kept_for(other, record.claim.wanted))
@@ -58,7 +58,7 @@ Witness::Answer Witness::answer_to(const std::string& to, std::uint64_t request,
 bool Witness::is_kept_for(const Record& record, const Volumes& volumes) const {
   const std::uint64_t request = record.claim.request;
   const bool promised = request != 0 && record.answered == request && record.granted;
-  return record.keeps && promised && overlap(volumes, record.claim.wanted);
+  return record.claim.keeps && promised && overlap(volumes, record.claim.wanted);
 }
 
 void Witness::take(Record& record, const Message& message) {
@@ -66,7 +66,6 @@ void Witness::take(Record& record, const Message& message) {
   record.heard = true;
   record.number = message.number;
   record.claim = message.claim;
-  record.keeps = message.granted;
 }
 
 /// Once for each request that was granted; one that was refused is given up by who asked, and may

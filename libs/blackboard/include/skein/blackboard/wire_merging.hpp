@@ -34,12 +34,13 @@ struct MergeMessage {
   std::uint64_t request = 0;
   std::vector<AirVolume> wanted;
   std::vector<std::string> waits_for;
+  bool keeps = false;  ///< to the ground station: it is to keep what is wanted for when nobody is in reach
   std::uint64_t answered = 0;
   bool granted = false;
   bool asks = false;
   bool operator==(const MergeMessage&) const = default;
 };
-SKEIN_WIRE_FIELDS(MergeMessage, header, number, held, request, wanted, waits_for, answered, granted,
-    asks)
+SKEIN_WIRE_FIELDS(MergeMessage, header, number, held, request, wanted, waits_for, keeps, answered,
+    granted, asks)
 
 }  // namespace skein::wire

@@ -16,6 +16,7 @@ struct Claim {
   std::uint64_t request = 0;           ///< rises; 0: it asks for nothing now
   Volumes wanted;                      ///< with a request: that; without: what it would ask for
   std::vector<std::string> waits_for;  ///< who has what it wants
+  bool keeps = false;  ///< to a witness: the request is for air that it is to keep (Standby)
   bool operator==(const Claim&) const = default;
 };
 
@@ -24,8 +25,8 @@ struct Message {
   std::uint64_t number = 0;  ///< rises, over restarts too: an older one is not heard after a newer
   Claim claim;
   std::uint64_t answered = 0;  ///< the last request of the receiver's that was answered; 0: none
-  bool granted = false;  ///< to a witness: the request is for air that it is to keep (Standby)
-  bool asks = false;     ///< to be answered by a message
+  bool granted = false;
+  bool asks = false;  ///< to be answered by a message
   bool operator==(const Message&) const = default;
 };
 

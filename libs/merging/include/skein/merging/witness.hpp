@@ -43,7 +43,6 @@ class Witness {
     Claim claim;
     std::uint64_t answered = 0;
     bool granted = false;
-    bool keeps = false;        ///< its request is for air that it would take out of reach
     std::uint64_t unsure = 0;  ///< its request that may have been promised in a life before
   };
 
