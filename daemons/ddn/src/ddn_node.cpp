@@ -130,11 +130,12 @@ void DdnNode::note(const node::Undelivered& lost) {
 
 void DdnNode::drop(const node::Received& received, const std::string& why) {
   const wire::Slot slot = wire::slot_of(received.sample);
-  if (!dropped_.emplace(received.from, slot).second) return;
+  const auto count = dropped_.count({received.from, slot});
+  if (!count) return;
   log(lines::Dropped{.slot = wire::slot_name(slot),
                      .origin = roster_.name_of(received.from),
                      .field = "header.origin",
-                     .why = why});
+                     .why = why + *count});
 }
 
 void DdnNode::note_reach(const node::Reachability& reach) {

@@ -119,12 +119,13 @@ Inbox::Read Inbox::read(const node::Input& input, MissionTime now) {
 std::optional<journal::Record> Inbox::refuse(const node::Received& received,
                                              const wire::Violation& violation, MissionTime now) {
   const wire::Slot slot = wire::slot_of(received.sample);
-  if (!refused_.emplace(received.from, slot).second) return std::nullopt;
+  const auto count = refused_.count({received.from, slot});
+  if (!count) return std::nullopt;
   return journal::record_of(now, "ground",
                             journal::lines::Dropped{.slot = wire::slot_name(slot),
                                                     .origin = roster_.name_of(received.from),
                                                     .field = violation.field,
-                                                    .why = violation.why});
+                                                    .why = violation.why + *count});
 }
 
 void Inbox::sent(std::uint64_t command, node::NodeNumber addressee) {

@@ -10,6 +10,8 @@ namespace {
 // The enumerations of both sides list the same values in the same order.
 static_assert(static_cast<int>(wire::TaskState::kAborted) ==
               static_cast<int>(executive::TaskState::kAborted));
+static_assert(static_cast<int>(wire::AbortCause::kNoAir) ==
+              static_cast<int>(functional::AbortCause::kNoAir));
 static_assert(static_cast<int>(wire::RequestKind::kSuppress) ==
               static_cast<int>(executive::RequestKind::kSuppress));
 static_assert(static_cast<int>(wire::InsertionMode::kNut) ==
@@ -126,11 +128,13 @@ wire::FunctionalStatus to_wire(const std::string& uav, const functional::Status&
   sample.id = status.id.value();
   sample.state = to_wire(status.state);
   sample.reason = status.reason;
+  sample.cause = static_cast<wire::AbortCause>(status.cause);
   return sample;
 }
 
 functional::Status from_wire(const wire::FunctionalStatus& sample) {
-  return {functional::TaskId(sample.id), from_wire(sample.state), sample.reason};
+  return {functional::TaskId(sample.id), from_wire(sample.state), sample.reason,
+          static_cast<functional::AbortCause>(sample.cause)};
 }
 
 wire::TaskSpec to_wire(const executive::Task& task) {
@@ -230,12 +234,14 @@ wire::TaskEvent to_wire(const std::string& uav, const executive::TaskEvent& even
   result.type = event.type;
   result.state = to_wire(event.state);
   result.reason = event.reason;
+  result.cause = static_cast<wire::AbortCause>(event.cause);
   result.at = at.count();
   return result;
 }
 
 executive::TaskEvent from_wire(const wire::TaskEvent& event) {
-  return {executive::TaskId(event.id), event.type, from_wire(event.state), event.reason};
+  return {executive::TaskId(event.id), event.type, from_wire(event.state), event.reason,
+          static_cast<functional::AbortCause>(event.cause)};
 }
 
 wire::SyncMessage to_wire(const executive::SendSync& message, const std::string& from,

@@ -145,7 +145,7 @@ TEST(Tasks, ARequestBecomesTheExecutivesInputOfTheSameKind) {
 
 TEST(Tasks, ATaskEventCarriesWhoseItIsAndWhen) {
   const executive::TaskEvent event{executive::TaskId(7), "goto", executive::TaskState::kAborted,
-                                   "no way"};
+                                   "no way", executive::AbortCause::kNoAir};
 
   const wire::TaskEvent sample = to_wire("karma", event, MissionTime::seconds(1.5));
 
@@ -154,7 +154,9 @@ TEST(Tasks, ATaskEventCarriesWhoseItIsAndWhen) {
   EXPECT_EQ(sample.type, "goto");
   EXPECT_EQ(sample.state, wire::TaskState::kAborted);
   EXPECT_EQ(sample.reason, "no way");
+  EXPECT_EQ(sample.cause, wire::AbortCause::kNoAir);
   EXPECT_EQ(sample.at, 1'500'000'000);
+  EXPECT_EQ(from_wire(sample), event);
 }
 
 // ---- the port to the vehicle ----
@@ -182,7 +184,9 @@ RC_GTEST_PROP(Port, AStatusComesBackUnchanged, ()) {
       functional::TaskId(*rc::gen::arbitrary<std::uint64_t>()),
       *rc::gen::element(functional::TaskState::kRunning, functional::TaskState::kEnded,
                         functional::TaskState::kAborted),
-      testing::any_text()};
+      testing::any_text(),
+      *rc::gen::element(functional::AbortCause::kOther, functional::AbortCause::kRequested,
+                        functional::AbortCause::kNoAir)};
 
   RC_ASSERT(from_wire(to_wire("marvin", status)) == status);
 }

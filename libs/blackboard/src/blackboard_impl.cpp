@@ -11,10 +11,6 @@
 namespace skein::blackboard {
 namespace {
 
-/// Kinds of malformed content told apart for the log; a peer that invents more is logged no
-/// further.
-constexpr std::size_t kDropKinds = 256;
-
 /// "tasks[12].state" -> "tasks[].state": one kind, whatever the element.
 std::string without_indices(const std::string& field) {
   std::string kind;
@@ -25,12 +21,6 @@ std::string without_indices(const std::string& field) {
     if (c == '[') inside = true;
   }
   return kind;
-}
-
-/// 1, 10, 100, …
-bool is_power_of_ten(std::uint64_t number) {
-  while (number > 0 && number % 10 == 0) number /= 10;
-  return number == 1;
 }
 
 /// After its last instant that an event has expired.
@@ -394,11 +384,9 @@ void Blackboard::Impl::refuse(wire::Slot slot, const wire::SampleHeader& header,
                               const wire::Violation& violation) {
   const NodeNumber origin(header.origin);
   const DropKey kind{slot, origin, without_indices(violation.field)};
-  const bool known = drops_.size() < kDropKinds || drops_.contains(kind);
-  const std::uint64_t times = known ? ++drops_[kind] : 0;
-  const bool told = is_power_of_ten(times);
-  const std::string count = told && times > 1 ? " (" + std::to_string(times) + " times)" : "";
-  out_.emplace_back(Dropped{slot, origin, violation.field, violation.why + count, told});
+  const auto count = drops_.count(kind);
+  out_.emplace_back(Dropped{slot, origin, violation.field, violation.why + count.value_or(""),
+                            count.has_value()});
 }
 
 /// A malformed event still has its place in the sequence: what follows it must not wait.

@@ -17,6 +17,7 @@
 #include "routing/forwarding.hpp"
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/foundation/random.hpp"
+#include "skein/foundation/tally.hpp"
 
 namespace skein::blackboard {
 
@@ -110,7 +111,7 @@ class Blackboard::Impl {
   std::uint64_t sequence_;  ///< of states, streams and world events
   Freshness freshness_;
   Delays delayed_;
-  std::map<DropKey, std::uint64_t> drops_;  ///< how often
+  Tally<DropKey> drops_{256};  ///< a peer that invents more kinds is logged no further
   std::vector<Incoming> out_;
   MissionTime latest_heard_;
   std::optional<routing::Forwarding> forwarding_;  ///< if there are relays

@@ -103,7 +103,8 @@ void Core::on(const StatusTold& told) {
 void Core::pass_on(const functional::Status& status) {
   const std::string type = vehicle_.pass_on(status);
   const bool waits = status.state == functional::TaskState::kStarted;
-  if (!type.empty() && !waits) tell_task({status.id, type, status.state, status.reason});
+  if (!type.empty() && !waits)
+    tell_task({status.id, type, status.state, status.reason, status.cause});
   safekeeping_.start_pending();
 }
 

@@ -150,6 +150,7 @@ void Executive::Core::on(const FunctionalStatus& status) {
   if (reason.empty() && status.state == TaskState::kAborted) {
     reason = from == TaskState::kStarted ? "rejected" : "aborted by who carries it out";
   }
+  if (!counts_as_aborted && status.state == TaskState::kAborted) record.cause = status.cause;
   set_state(*slot, counts_as_aborted ? TaskState::kAborted : status.state, reason);
 }
 

@@ -32,8 +32,8 @@ std::optional<TaskView> Executive::find(TaskId id) const {
   const std::optional<Plan::Slot> slot = core_->plan().find(id);
   if (!slot) return std::nullopt;
   const TaskRecord& record = core_->plan()[*slot];
-  return TaskView{record.id,    record.type,  record.parameters, record.synchronisation.get(),
-                  record.state, record.reason};
+  return TaskView{record.id,    record.type,   record.parameters, record.synchronisation.get(),
+                  record.state, record.reason, record.cause};
 }
 
 Formula Executive::preconditions(TaskId id) const {

@@ -26,6 +26,7 @@ struct TaskRecord {
   Parameters parameters;
   std::unique_ptr<Synchronisation> synchronisation;
   std::string reason;
+  AbortCause cause = AbortCause::kOther;
   FormulaState preconditions, exit;
   WatchList watchers;                    ///< literals that name this task
   std::vector<std::uint32_t> resources;  ///< numbers of ResourceUse

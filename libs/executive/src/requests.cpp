@@ -126,6 +126,7 @@ void Executive::Core::on(const Abort& request) {
   if (!ours) return;
   const TaskState state = plan_[*slot].state;
   if (is_terminal(state) || state == TaskState::kAborting) return;
+  plan_[*slot].cause = AbortCause::kRequested;
   interrupt_or_cancel(*slot, "abort requested");
 }
 

@@ -7,7 +7,7 @@
 namespace skein::executive {
 
 void Executive::Core::announce(const TaskRecord& record) {
-  TaskEvent event{record.id, record.type, record.state, record.reason};
+  TaskEvent event{record.id, record.type, record.state, record.reason, record.cause};
   const std::uint32_t own = record.joint && is_active(record.state) ? 1 : 0;
   const bool others_joint = joint_active_ > own;
   effects_.push_back(event);

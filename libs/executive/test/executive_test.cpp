@@ -85,6 +85,26 @@ TEST(Executive, NeverCountsAnInterruptedTaskAsEnded) {
   EXPECT_EQ(mission.reason_of(1), "abort requested");
 }
 
+TEST(Executive, TellsTheCauseOfAnAbortAsWhoCarriesItOutDid) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+
+  mission.give(FunctionalStatus{TaskId{1}, kAborted, "it waits", AbortCause::kNoAir});
+
+  EXPECT_EQ(mission.executive.find(TaskId{1})->cause, AbortCause::kNoAir);
+}
+
+TEST(Executive, TellsThatAnAbortWasRequestedWhateverTheVehicleSaysOfIt) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.runs(1);
+  mission.abort(1);
+
+  mission.give(FunctionalStatus{TaskId{1}, kAborted, "it waits", AbortCause::kNoAir});
+
+  EXPECT_EQ(mission.executive.find(TaskId{1})->cause, AbortCause::kRequested);
+}
+
 TEST(Executive, OnlyNoticesStatusesThatDoNotFit) {
   Mission mission;
   mission.start(waiting_goto(1));

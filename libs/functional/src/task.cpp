@@ -25,6 +25,18 @@ std::string_view to_text(TaskState state) {
   return "?";
 }
 
+std::string_view to_text(AbortCause cause) {
+  switch (cause) {
+    case AbortCause::kOther:
+      return "other";
+    case AbortCause::kRequested:
+      return "requested";
+    case AbortCause::kNoAir:
+      return "no-air";
+  }
+  return "?";
+}
+
 std::optional<TaskState> task_state_from(std::string_view text) {
   for (const auto& [state, word] : kStates) {
     if (word == text) return state;

@@ -8,27 +8,39 @@ namespace skein::merging {
 
 namespace {
 
-constexpr const char* kToLeave = "to leave";
-constexpr const char* kToGoFirst = "to go first, it has waited long";
-constexpr const char* kToBeAnswered = "to be answered itself";
-
 bool is_among(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace
 
+std::string_view to_text(Awaited what) {
+  switch (what) {
+    case Awaited::kToLeave:
+      return "to leave";
+    case Awaited::kToTell:
+      return "to tell what it has";
+    case Awaited::kToComeIntoReach:
+      return "to come into reach";
+    case Awaited::kToBeAnswered:
+      return "to be answered itself";
+    case Awaited::kToGoFirst:
+      return "to go first, it has waited long";
+  }
+  return "?";
+}
+
 std::vector<std::string> Merger::awaited() const {
   std::vector<std::string> names;
   for (const Waits::Why& why : told_)
-    if (why.why == kToLeave) names.push_back(why.peer);
+    if (why.what == Awaited::kToLeave) names.push_back(why.peer);
   return names;
 }
 
 std::vector<std::string> Merger::in_its_way() const {
   std::vector<std::string> names;
   for (const Waits::Why& why : told_)
-    if (why.why == kToLeave || why.why == kToGoFirst) names.push_back(why.peer);
+    if (why.what == Awaited::kToLeave || why.what == Awaited::kToGoFirst) names.push_back(why.peer);
   return names;
 }
 
@@ -48,15 +60,15 @@ std::vector<Waits::Why> Merger::whys() const {
   const Volumes& first = choices_.front();
   for (const auto& [name, peer] : peers_) {
     if (has(peer, first)) {
-      result.push_back({name, kToLeave});
+      result.push_back({name, Awaited::kToLeave});
     } else if (!may_agree(peer) || (third_ && !peer.heard && peer.reachable)) {
-      result.push_back({name, peer.reachable ? "to tell what it has" : "to come into reach"});
+      result.push_back({name, peer.reachable ? Awaited::kToTell : Awaited::kToComeIntoReach});
     } else if (third_ && !peer.reachable && is_among(third_->refusers, name)) {
-      result.push_back({name, kToLeave});
+      result.push_back({name, Awaited::kToLeave});
     } else if (asks_for(peer, first)) {
-      result.push_back({name, kToBeAnswered});
+      result.push_back({name, Awaited::kToBeAnswered});
     } else if (yields_to(peer, first)) {
-      result.push_back({name, kToGoFirst});
+      result.push_back({name, Awaited::kToGoFirst});
     }
   }
   return result;

@@ -24,9 +24,8 @@ const std::string kA = "a", kB = "b", kC = "c";
 Volume stretch(double from, double to) { return {{from, 0}, {to, 0}, 5, 30, 50}; }
 Volume place(double at) { return stretch(at, at); }
 
-void expect_why(const Net& net, const std::string& who, const std::string& peer,
-                const std::string& why) {
-  EXPECT_THAT(net.whys(who), ElementsAre(Waits::Why{peer, why}));
+void expect_why(const Net& net, const std::string& who, const std::string& peer, Awaited what) {
+  EXPECT_THAT(net.whys(who), ElementsAre(Waits::Why{peer, what}));
 }
 
 TEST(Merger, FreeAirIsHadWithinTwoMessages) {
@@ -47,7 +46,7 @@ TEST(Merger, WhoComesSecondWaitsUntilTheFirstHasLeft) {
     net.run_for(5);
     EXPECT_TRUE(net.has_what_it_wanted(first));
     EXPECT_FALSE(net.has_what_it_wanted(second));
-    expect_why(net, second, first, "to leave");
+    expect_why(net, second, first, Awaited::kToLeave);
 
     net.give(first, Hold{{stretch(50, 100)}});
     net.run_for(0.5);
@@ -153,7 +152,7 @@ TEST(Merger, ACutKeepsTheLaterFromNewAirAndTheEarlierFromNothing) {
   net.run_for(10);
   EXPECT_TRUE(net.has_what_it_wanted(kA));
   EXPECT_FALSE(net.has_what_it_wanted(kB));
-  expect_why(net, kB, kA, "to come into reach");
+  expect_why(net, kB, kA, Awaited::kToComeIntoReach);
   EXPECT_FALSE(net.member(kB).held().empty()) << "what it has it keeps";
 
   net.wants(kA, {{stretch(0, 10)}});
@@ -261,7 +260,7 @@ TEST(Merger, NobodyComesToStayWhereOneWantsToGoThatHasWaitedLong) {
   net.wants(kA, {{stretch(150, 90)}});
   net.run_for(5);
   EXPECT_FALSE(net.has_what_it_wanted(kA));
-  expect_why(net, kA, kC, "to go first, it has waited long");
+  expect_why(net, kA, kC, Awaited::kToGoFirst);
   net.give(kB, Hold{});
   net.run_for(0.5);
   EXPECT_TRUE(net.has_what_it_wanted(kC));
@@ -305,7 +304,7 @@ TEST(Merger, AFlightAsideTakesNothingFromHowLongOneHasWaited) {
 
   net.wants(kA, {{stretch(150, 90)}});
   net.run_for(5);
-  expect_why(net, kA, kC, "to go first, it has waited long");
+  expect_why(net, kA, kC, Awaited::kToGoFirst);
 }
 
 // Its landing is what makes the air free that C has waited for.

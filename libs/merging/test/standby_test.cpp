@@ -62,7 +62,7 @@ TEST(Standby, WhileItsOwnerIsOutOfReachNobodyElseHasIt) {
   trio.give(kBert, Want{{{street(50, 60)}}});
   trio.run_for(30, {kAnna});
   EXPECT_EQ(trio.granted(kBert), 0);
-  EXPECT_THAT(trio.whys(kBert), ElementsAre(Waits::Why{kAnna, "to leave"}));
+  EXPECT_THAT(trio.whys(kBert), ElementsAre(Waits::Why{kAnna, Awaited::kToLeave}));
 }
 
 TEST(Standby, WhileItsOwnerIsInReachItKeepsNobodyFromThatAir) {

@@ -59,7 +59,7 @@ TEST(Witness, WhatOneHadThatDiedInTheAirStaysItsOwnAndIsNamed) {
   trio.give(kBert, Want{{{street(50, 60)}, {street(50, 60)}}});
   trio.run_for(20, {kAnna});
   EXPECT_EQ(trio.granted(kBert), 0);
-  EXPECT_THAT(trio.whys(kBert), ElementsAre(Waits::Why{kAnna, "to leave"}));
+  EXPECT_THAT(trio.whys(kBert), ElementsAre(Waits::Why{kAnna, Awaited::kToLeave}));
 
   trio.give(kBert, Want{{{street(50, 60)}, {street(200, 300)}}});
   trio.run_for(20, {kAnna});
@@ -87,7 +87,7 @@ TEST(Witness, WhoReachesNeitherTakesNothingNewAndSaysForWhomItWaits) {
     trio.give(alone, Want{{{street(0, 100)}}});
     trio.run_for(30);
     EXPECT_EQ(trio.granted(alone), 0);
-    EXPECT_THAT(trio.whys(alone), ElementsAre(Waits::Why{other, "to come into reach"}));
+    EXPECT_THAT(trio.whys(alone), ElementsAre(Waits::Why{other, Awaited::kToComeIntoReach}));
     trio.give(alone, InReach{kGround, true});
     trio.run_for(1, {other});
     EXPECT_EQ(trio.granted(alone), 1);

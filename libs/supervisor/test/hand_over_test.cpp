@@ -70,7 +70,7 @@ TEST(SupervisorHandOver, GoalsAreAchievedByWhoeverCarriesThemOut) {
 TEST(SupervisorHandOver, WithResumePlansWhatIsLeftFromHere) {
   Desk desk = under_way();
   desk.at(10).give(Disengage{"degree 1"});
-  desk.seen(100, TaskState::kAborted, "abort requested");
+  desk.aborted_as_asked(100);
   EXPECT_EQ(desk.state_of(701), "handed-over");
 
   desk.at(50).give(Engage{true, "given back"});
@@ -137,7 +137,7 @@ TEST(SupervisorHandOver, PlansAnewAGoalOfWhichATaskWasLostMeanwhile) {
   Desk desk = under_way();
   desk.at(10).give(Disengage{"degree 3"});
   desk.seen(101, TaskState::kScheduled);
-  desk.seen(102, TaskState::kAborted, "abort requested");
+  desk.aborted_as_asked(102);
 
   desk.at(50).give(Engage{true, "given back", std::vector{TaskId{100}, TaskId{101}}});
 

@@ -366,7 +366,7 @@ TEST(SupervisorMission, UrgentInterruptsWhatIsUnderWayOnceItsPlanIsThere) {
                         TaskOf(104, "goto", 701).after(103), TaskOf(105, "goto", 702).after(104)}));
   EXPECT_THAT(desk.requests(), ElementsAre("START 103", "ABORT 101"));
   EXPECT_EQ(desk.state_of(701), "under-way");
-  desk.seen(101, TaskState::kAborted, "abort requested");
+  desk.aborted_as_asked(101);
   EXPECT_FALSE(desk.job_started());
 }
 

@@ -273,8 +273,10 @@ void Interaction::carry_out(const interaction::NegotiationSettled& effect) {
 }
 
 void Interaction::carry_out(const interaction::MessageRejected& effect) {
-  host_.bus().emit(
-      Notice{"negotiation of '" + effect.from + "' about " + effect.subject + ": " + effect.why});
+  const auto count = rejected_.count({effect.from, effect.why});
+  if (!count) return;
+  host_.bus().emit(Notice{"negotiation of '" + effect.from + "' about " + effect.subject + ": " +
+                          effect.why + *count});
 }
 
 }  // namespace skein::decision_node

@@ -6,12 +6,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "component.hpp"
 #include "interaction/joint_host.hpp"
 #include "interaction/joint_task.hpp"
 #include "interaction/sightings.hpp"
+#include "skein/foundation/tally.hpp"
 
 namespace skein::decision_node {
 
@@ -74,6 +76,7 @@ class Interaction final : public Component {
   std::uint64_t next_id_ = 0;
   std::map<std::uint64_t, interaction::SessionId> reckonings_;  ///< by job
   std::uint64_t last_reckoning_ = 0;
+  Tally<std::pair<std::string, std::string>> rejected_{64};  ///< by who said it, and why
 };
 
 }  // namespace skein::decision_node

@@ -9,7 +9,6 @@
 #include "skein/foundation/joined.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/interaction/describe.hpp"
-#include "skein/supervisor/no_air.hpp"
 
 namespace skein::decision_node {
 
@@ -285,7 +284,7 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   if (ended && is_mapping(play_->automaton(), componel)) share_.flown();
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);
   // Else it would wait for its partner in a later meeting of the role, and that for it in this one.
-  if (event.reason.starts_with(supervisor::kNoAir)) return task_.leave(event.reason);
+  if (event.cause == executive::AbortCause::kNoAir) return task_.leave(event.reason);
   if (ended || ran >= kAtOnce) {
     fails_at_once_.erase(componel);
   } else if (!asked) {

@@ -8,7 +8,6 @@
 #include "skein/foundation/joined.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/mission/degree.hpp"
-#include "skein/supervisor/no_air.hpp"
 #include "skein/supervisor/way_home.hpp"
 
 namespace skein::decision_node {
@@ -35,8 +34,9 @@ bool is_aside(functional::TaskId task) {
   return task >= kFirstAside && task < functional::kFirstBackgroundId;
 }
 
+/// Also of one that the ground station plays.
 bool is_of_role(const functional::Request& request) {
-  return request.id >= functional::kFirstRoleId && request.id < functional::kFirstOwnId;
+  return request.id >= functional::kFirstPlayedId && request.id < functional::kFirstOwnId;
 }
 
 /// A takeoff or a way of the plan's that something else could come before, or somebody else could
@@ -197,10 +197,10 @@ merging::Volumes Merging::air_at(const world::Vector3& place) const {
   return airways && !airways->empty() ? airways->front().air : merging::Volumes();
 }
 
-void Merging::refuse(const std::string& why) {
+void Merging::refuse(const std::string& why, functional::AbortCause cause) {
   const functional::TaskId task = waiting_->request.id;
   stop_waiting();
-  core_.post_status({task, functional::TaskState::kAborted, why});
+  core_.post_status({task, functional::TaskState::kAborted, why, cause});
 }
 
 void Merging::begin(const Airway& airway, const std::string& state) {
@@ -347,7 +347,8 @@ void Merging::say_it_waits() {
   const bool asks = waiting_ && !waiting_->airways.empty();
   const auto longest = asks ? longest_wait(core_, waiting_->request) : std::nullopt;
   if (longest && core_.bus().now() >= waiting_->since + *longest)
-    return refuse(std::string(supervisor::kNoAir) + joined(waiting_->waits_for, "; "));
+    return refuse("others leave it no air: it waits for " + joined(waiting_->waits_for, "; "),
+                  functional::AbortCause::kNoAir);
   if (!waiting_ || core_.bus().now() < waiting_->said + kSaidAgain) return;
   say_it_has_begun();
 }
@@ -444,7 +445,8 @@ void Merging::carry_out(const merging::Granted& granted) {
 void Merging::carry_out(const merging::Waits& waits) {
   if (!waiting_) return;
   std::vector<std::string> now_for;
-  for (const merging::Waits::Why& one : waits.whys) now_for.push_back(one.peer + " " + one.why);
+  for (const merging::Waits::Why& one : waits.whys)
+    now_for.push_back(one.peer + " " + std::string(to_text(one.what)));
   if (!waiting_->aside_since) {
     waiting_->waits_for = std::move(now_for);
     waiting_->in_its_way = merger_->in_its_way();

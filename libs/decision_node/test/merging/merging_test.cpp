@@ -228,6 +228,23 @@ TEST(Merging, WhatWaitedAndIsGivenUpIsSaidToBe) {
   EXPECT_THAT(states(team.notes("heliv")), ElementsAre("waits", "given-up"));
 }
 
+TEST(Merging, AFlightOfARoleThatTheGroundPlaysIsGivenUpForWantOfAirAfterFourMinutes) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}});
+  const executive::TaskId flight = functional::kFirstPlayedId;
+  give_sweep(team, "heliv", goto_of(flight.value(), {-100, 0, 40}));
+  team.run(239);
+  EXPECT_FALSE(team.is_over("heliv", flight.value()));
+
+  team.run(2);
+
+  std::vector<executive::TaskEvent> aborted;
+  for (const executive::TaskEvent& event : team.events("heliv")) {
+    if (event.id == flight && event.state == TaskState::kAborted) aborted.push_back(event);
+  }
+  ASSERT_THAT(aborted, SizeIs(1));
+  EXPECT_EQ(aborted.front().cause, executive::AbortCause::kNoAir) << aborted.front().reason;
+}
+
 // Marvin may wait for heliv, at a meeting: it has nothing else to do, and makes room.
 TEST(Merging, WhoDeliberatesAndHasNothingToDoMakesRoom) {
   MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}}, 4);

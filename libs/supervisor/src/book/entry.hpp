@@ -69,13 +69,14 @@ struct Entry {
   /// Of the lanes of a part of a mapping: the way-points, from its last on, that it leaves to that.
   /// Empty: the mapping is not planned to go on there.
   std::vector<world::Vector3> beyond = {};
-  std::string why;                 ///< of its interruption
-  std::vector<Hold> holds;         ///< as the executive was told
-  mission::TaskDates told_window;  ///< likewise
-  bool by_others = false;          ///< given by somebody else, with conditions of their own
-  bool scheduled = false;          ///< an executive said that it has it
-  bool was_held = false;           ///< it was given with something in `holds`
-  bool unseen = false;             ///< lost to somebody else: nobody saw what became of it
+  std::string why;                                              ///< of its interruption
+  executive::AbortCause cause = executive::AbortCause::kOther;  ///< likewise
+  std::vector<Hold> holds;                                      ///< as the executive was told
+  mission::TaskDates told_window;                               ///< likewise
+  bool by_others = false;  ///< given by somebody else, with conditions of their own
+  bool scheduled = false;  ///< an executive said that it has it
+  bool was_held = false;   ///< it was given with something in `holds`
+  bool unseen = false;     ///< lost to somebody else: nobody saw what became of it
   Tardiness told = Tardiness::kInTime;
 
   Stage stage() const { return stage_; }

@@ -8,7 +8,6 @@
 #include "book/progress.hpp"
 #include "flight/flight_times.hpp"
 #include "skein/foundation/rounded_seconds.hpp"
-#include "skein/supervisor/no_air.hpp"
 
 namespace skein::supervisor {
 
@@ -149,12 +148,14 @@ void Observer::see(Entry& entry, const executive::TaskEvent& event) {
       break;
     case TaskState::kAborting:
       entry.why = event.reason;
+      entry.cause = event.cause;
       return;
     case TaskState::kEnded:
       see_ended(entry);
       break;
     case TaskState::kAborted:
       if (entry.why.empty()) entry.why = event.reason;
+      if (entry.cause == executive::AbortCause::kOther) entry.cause = event.cause;
       see_aborted(entry);
       return;
   }
@@ -257,7 +258,7 @@ void Observer::see_aborted(Entry& entry) {
   entry.abort(now());
   tell_progress(entry.task.origin);
   if (!entry.live()) return;
-  const bool asked = entry.why == "abort requested" && !ordered;
+  const bool asked = entry.cause == executive::AbortCause::kRequested && !ordered;
   const bool stopped = was_stopped_in_time(entry) && !asked;
   if (stopped && engaged()) {
     if (const std::string why = missed(entry); !why.empty())
@@ -299,7 +300,7 @@ void Observer::refused(const Entry& entry, const std::string& what) {
   contingencies_.fail_goal(
       entry.task.origin, times > 1 ? what + " (" + std::to_string(times) + " times alike)" : what);
   if (!agenda_.needed()) return;
-  if (entry.why.starts_with(kNoAir) && agenda_.needed()->failed == entry.task.origin)
+  if (entry.cause == executive::AbortCause::kNoAir && agenda_.needed()->failed == entry.task.origin)
     agenda_.put_behind();
   if (before)
     agenda_.pause_until(std::max(*before, now()));

@@ -81,7 +81,7 @@ TEST(SupervisorProgress, IsTheGoalsWhateverPlansItGets) {
       {702, 701},
       {TaskOf(102, "goto", 702).takes(5, 15), TaskOf(103, "goto", 701).after(102).takes(5, 15),
        TaskOf(104, "takeshot", 701).after(103).device("camera").takes(60, 60)}));
-  desk.at(72).aborted(101, "abort requested");
+  desk.at(72).aborted_as_asked(101);
   EXPECT_EQ(done_of(desk, 701), "perceived 62 s, 1 place reached");
   desk.runs(102);
   desk.at(80).ends(102);
@@ -106,7 +106,7 @@ TEST(SupervisorProgress, CountsForARepairToo) {
 TEST(SupervisorProgress, OutlivesAHandOver) {
   Desk desk = perceiving();
   desk.at(60).give(Disengage{"degree 3"});
-  desk.at(80).aborted(101, "abort requested");
+  desk.at(80).aborted_as_asked(101);
 
   desk.at(100).give(Engage{true, "degree 4"});
 
@@ -127,7 +127,7 @@ TEST(SupervisorProgress, CountsNothingOfWhatNobodySawTheEndOf) {
 TEST(SupervisorProgress, OfPicturesAlongAMotionIsTheTimeThatBothWentOn) {
   Desk desk = shooting_along({{0, 0, 40}, {1000, 0, 40}});
   desk.at(50).aborted(100, "engine trouble");
-  desk.at(55).aborted(101, "abort requested");
+  desk.at(55).aborted_as_asked(101);
 
   EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), secs(40));
 }
@@ -144,7 +144,7 @@ TEST(SupervisorProgress, OfAPatrolIsTheTimeInWhichItsZoneIsInViewInProportion) {
   config.knowledge = std::make_shared<Knowledge>(knowledge);
   Desk desk = shooting_along({{0, 0, 40}, {1000, 0, 40}}, mission, config);
   desk.at(160).aborted(100, "engine trouble");
-  desk.at(165).aborted(101, "abort requested");
+  desk.at(165).aborted_as_asked(101);
 
   EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), secs(50));
 }

@@ -44,7 +44,7 @@ TEST(SupervisorWait, ForOrdersEndsWhenTheNextTaskComesAndCountsAsAchieved) {
 
   desk.at(31).finish(inserted({702}, {TaskOf(101, "goto", 702).over(100)}));
   EXPECT_THAT(desk.requests(), ElementsAre("START 101", "ABORT 100"));
-  desk.seen(100, TaskState::kAborted, "abort requested");
+  desk.aborted_as_asked(100);
 
   EXPECT_EQ(desk.state_of(701), "achieved");
   EXPECT_FALSE(desk.job_started());
@@ -156,7 +156,7 @@ TEST(SupervisorSafety, DoesNotWaitOnTheGroundAfterALanding) {
 TEST(SupervisorSafety, TriesARefusedWaitAgainLater) {
   Desk desk = flying();
   desk.give(CancelMission{{}, "operator"});
-  desk.seen(101, TaskState::kAborted, "abort requested");
+  desk.aborted_as_asked(101);
   desk.seen(103, TaskState::kAborted, "rejected", "wait");
   EXPECT_THAT(desk.requests(), IsEmpty());
   EXPECT_THAT(desk.notices(), Contains(HasSubstr("refused or aborted")));

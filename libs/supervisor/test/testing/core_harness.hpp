@@ -190,8 +190,16 @@ class Desk {
   const Effects& ends(std::uint64_t id) {
     return give(TaskSeen{{TaskId{id}, type_of(id), TaskState::kEnded, {}}});
   }
-  const Effects& aborted(std::uint64_t id, const std::string& why = "engine trouble") {
-    return give(TaskSeen{{TaskId{id}, type_of(id), TaskState::kAborted, why}});
+  const Effects& aborted(std::uint64_t id, const std::string& why = "engine trouble",
+                         executive::AbortCause cause = executive::AbortCause::kOther) {
+    return give(TaskSeen{{TaskId{id}, type_of(id), TaskState::kAborted, why, cause}});
+  }
+  /// After an ABORT at the executive.
+  const Effects& aborting_as_asked(std::uint64_t id) { return told(id, TaskState::kAborting); }
+  const Effects& aborted_as_asked(std::uint64_t id) { return told(id, TaskState::kAborted); }
+  const Effects& told(std::uint64_t id, TaskState state) {
+    return give(TaskSeen{
+        {TaskId{id}, type_of(id), state, "abort requested", executive::AbortCause::kRequested}});
   }
   const Effects& flies(world::Vector3 position = {0, 0, 40}, double energy = 1,
                        std::vector<std::string> failed = {}) {

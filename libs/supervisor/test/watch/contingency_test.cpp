@@ -193,7 +193,7 @@ TEST(SupervisorRepair, OfAFailureDuringItsJobIsMadeAgain) {
 
 TEST(SupervisorCancel, FollowsAnAbortAtTheExecutiveThatItDidNotAskFor) {
   Desk desk = flying();
-  desk.at(30).seen(101, TaskState::kAborting, "abort requested");
+  desk.at(30).aborting_as_asked(101);
   desk.seen(101, TaskState::kAborted, "stopped");
 
   EXPECT_EQ(desk.state_of(701), "cancelled");
@@ -202,6 +202,16 @@ TEST(SupervisorCancel, FollowsAnAbortAtTheExecutiveThatItDidNotAskFor) {
   EXPECT_FALSE(desk.repair().failed.has_value());
   EXPECT_FALSE(desk.repair().refine_failed);
   EXPECT_EQ(desk.repair().remaining[0].id, GoalId{702});
+}
+
+TEST(SupervisorCancel, DoesNotFollowAVehicleThatAbortsInTheWordsOfARequest) {
+  Desk desk = flying();
+
+  desk.at(30).aborted(101, "abort requested");
+
+  EXPECT_NE(desk.state_of(701), "cancelled");
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_TRUE(desk.repair().failed.has_value());
 }
 
 TEST(SupervisorCancel, OfTheLastPlannedGoalNeedsNoPlanning) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A vehicle that refuses again and again is asked more and more seldom, and its goals end.
 #include "watch/refusals.hpp"
-#include "skein/supervisor/no_air.hpp"
 #include "testing/core_harness.hpp"
 
 namespace skein::supervisor {
@@ -100,11 +99,18 @@ TEST(SupervisorRefusals, TheFirstIsPlannedAgainAtOnce) {
 
 TEST(SupervisorRefusals, ForWantOfAirItGoesBehindTheOthers) {
   Refused one;
-  one.desk.aborted(100, std::string(kNoAir) + "uav2 to leave");
+  one.desk.aborted(100, "it waits for uav2 to leave", executive::AbortCause::kNoAir);
 
   ASSERT_TRUE(one.desk.job_started());
   EXPECT_EQ(one.desk.repair().failed->id, GoalId{701});
   EXPECT_TRUE(one.desk.repair().failed_goes_behind);
+}
+
+TEST(SupervisorRefusals, WordsDoNotMakeItOneForWantOfAir) {
+  Refused one;
+  one.desk.aborted(100, "others leave it no air: it waits for uav2 to leave");
+
+  EXPECT_FALSE(one.desk.repair().failed_goes_behind);
 }
 
 TEST(SupervisorRefusals, ForOtherReasonsItKeepsItsTurn) {

@@ -10,6 +10,7 @@
 
 #include "skein/ddn/sighting_budget.hpp"
 #include "skein/decision_node/decision_node.hpp"
+#include "skein/foundation/tally.hpp"
 #include "skein/node/node.hpp"
 #include "skein/node/roster.hpp"
 #include "skein/supervisor/deliberator.hpp"
@@ -94,8 +95,8 @@ class DdnNode final : public node::Node {
   std::vector<wire::ModelVersion> models_;  ///< of joint tasks, that it has
   decision_node::DecisionNode decision_;
   SightingBudget sightings_;
-  std::map<std::uint64_t, wire::PlanEntry> logged_plan_;       ///< its tasks, as last logged
-  std::set<std::pair<node::NodeNumber, wire::Slot>> dropped_;  ///< already logged
+  std::map<std::uint64_t, wire::PlanEntry> logged_plan_;  ///< its tasks, as last logged
+  Tally<std::pair<node::NodeNumber, wire::Slot>> dropped_{256};
 
   // Of the call that is running.
   MissionTime now_;

@@ -6,12 +6,12 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "skein/foundation/result.hpp"
+#include "skein/foundation/tally.hpp"
 #include "skein/ground_station/ground_control.hpp"
 #include "skein/journal/record.hpp"
 #include "skein/node/node.hpp"
@@ -54,8 +54,8 @@ class Inbox {
 
   const node::Roster& roster_;
   ReadRequest read_request_;
-  std::map<std::uint64_t, node::NodeNumber> addressees_;       ///< of commands, by number
-  std::set<std::pair<node::NodeNumber, wire::Slot>> refused_;  ///< already said
+  std::map<std::uint64_t, node::NodeNumber> addressees_;  ///< of commands, by number
+  Tally<std::pair<node::NodeNumber, wire::Slot>> refused_{256};
 };
 
 }  // namespace skein::ground

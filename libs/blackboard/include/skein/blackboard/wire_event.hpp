@@ -73,6 +73,17 @@ struct RequestReply {
 };
 SKEIN_WIRE_FIELDS(RequestReply, header, command, kind, id, accepted, why)
 
+/// Why a task was aborted, where somebody decides by it; the reason is for people.
+enum class AbortCause : std::uint32_t {
+  kOther,
+  kRequested,
+  kNoAir,
+  kCount
+};
+constexpr auto names_of(AbortCause) {
+  return std::to_array<std::string_view>({"other", "requested", "no-air"});
+}
+
 /// One transition of one task.
 struct TaskEvent {
   SampleHeader header;
@@ -81,10 +92,11 @@ struct TaskEvent {
   std::string type;
   TaskState state = TaskState::kScheduled;
   std::string reason;
+  AbortCause cause = AbortCause::kOther;
   std::int64_t at = 0;  ///< [ns] when it happened
   bool operator==(const TaskEvent&) const = default;
 };
-SKEIN_WIRE_FIELDS(TaskEvent, header, uav, id, type, state, reason, at)
+SKEIN_WIRE_FIELDS(TaskEvent, header, uav, id, type, state, reason, cause, at)
 
 enum class FunctionalRequestKind : std::uint32_t {
   kDispatch,
@@ -114,9 +126,10 @@ struct FunctionalStatus {
   std::uint64_t id = 0;
   TaskState state = TaskState::kRunning;
   std::string reason;
+  AbortCause cause = AbortCause::kOther;  ///< kOther, unless a decision node says it itself
   bool operator==(const FunctionalStatus&) const = default;
 };
-SKEIN_WIRE_FIELDS(FunctionalStatus, header, uav, id, state, reason)
+SKEIN_WIRE_FIELDS(FunctionalStatus, header, uav, id, state, reason, cause)
 
 enum class SyncWord : std::uint32_t {
   kThere,

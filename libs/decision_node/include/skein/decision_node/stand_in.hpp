@@ -53,7 +53,7 @@ struct StandInEffects {
 /// Source: T II.2, IV.3, V; spec 1.2, 7.3.
 class StandIn {
  public:
-  static constexpr executive::TaskId kFirstPlayedId{400'000'000};
+  static constexpr executive::TaskId kFirstPlayedId = functional::kFirstPlayedId;
 
   /// Of the UAV's Config: its name, `others`, knowledge, world and interaction, none of them null.
   explicit StandIn(Config uav);

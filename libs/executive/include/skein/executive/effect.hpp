@@ -13,11 +13,13 @@
 namespace skein::executive {
 
 /// A transition. `reason` says why a task was interrupted, cancelled or aborted; may be empty.
+/// `cause` is of that: the first one, where an interruption was answered with another.
 struct TaskEvent {
   TaskId id;
   std::string type;
   TaskState state = TaskState::kScheduled;
   std::string reason;
+  AbortCause cause = AbortCause::kOther;
   bool operator==(const TaskEvent&) const = default;
 };
 

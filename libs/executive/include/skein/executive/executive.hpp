@@ -46,6 +46,7 @@ struct TaskView {
   const Synchronisation* synchronisation;  ///< nullptr unless the type is `synchronise`
   TaskState state;
   const std::string& reason;
+  AbortCause cause;
 };
 
 /// Keeps a plan of tasks with event-driven dependencies and runs it. It reasons on dependencies

@@ -6,6 +6,7 @@
 
 namespace skein::executive {
 
+using functional::AbortCause;
 using functional::is_active;
 using functional::is_terminal;
 using functional::kFirstBackgroundId;

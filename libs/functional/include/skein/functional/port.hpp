@@ -30,6 +30,7 @@ struct Status {
   TaskId id;
   TaskState state = TaskState::kRunning;
   std::string reason;  ///< of an abort, always
+  AbortCause cause = AbortCause::kOther;
   bool operator==(const Status&) const = default;
 };
 

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -65,11 +67,22 @@ struct Tell {
 struct Granted {
   std::size_t choice = 0;
 };
+/// What a peer has to do before one may fly.
+enum class Awaited : std::uint8_t {
+  kToLeave,          ///< the air is its own
+  kToTell,           ///< what it has
+  kToComeIntoReach,  ///< likewise
+  kToBeAnswered,     ///< it has asked for the same before
+  kToGoFirst         ///< it has waited long
+};
+/// "to leave", "to come into reach", …
+std::string_view to_text(Awaited what);
+
 /// It waits, for these, when that is not as it was.
 struct Waits {
   struct Why {
     std::string peer;
-    std::string why;  ///< "to leave", "to answer: it is out of reach", …
+    Awaited what = Awaited::kToLeave;
     bool operator==(const Why&) const = default;
   };
   std::vector<Why> whys;
