@@ -59,10 +59,13 @@ TEST_P(DdsNegotiation, NonsenseIsRefusedCountedAndNamedAndTheOthersAgree) {
   EXPECT_EQ(status->code, 0) << run.output();
   for (const std::string uav : {"uav1", "uav2"}) {
     const auto notices = said(uav, "notice", "text");
-    for (const std::string why :
-         {"of mission 7, not 1", "of a session that is over", "of a session without " + uav,
-          "from 'uav3', who is no member", "uav1 promised without an offer",
-          "other members: uav1, uav2, not uav1, uav2, uav3"}) {
+    const std::vector<std::string> whys{"of mission 7, not 1",
+                                        "of a session that is over",
+                                        "of a session without " + uav,
+                                        "from 'uav3', who is no member",
+                                        "uav1 promised without an offer",
+                                        "other members: uav1, uav2, not uav1, uav2, uav3"};
+    for (const std::string& why : whys) {
       EXPECT_THAT(notices, Contains(HasSubstr("negotiation of 'uav3'"))) << uav;
       EXPECT_THAT(notices, Contains(HasSubstr(why))) << uav;
       EXPECT_THAT(notices, Contains(HasSubstr(why + " (100 times)"))) << uav;
