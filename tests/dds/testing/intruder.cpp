@@ -52,8 +52,10 @@ const std::vector<std::function<void(Message&)>> kNonsense{
     [](Message&) {},  // about what the others negotiate, with one more member
     [](Message& m) { m.opened = 0; },
     [](Message& m) { m.mission_id = 7; },
-    [](Message& m) { m.opened = -20'000'000'000, m.deadline = -10'000'000'000; },
-    [](Message& m) { m.members.erase(m.members.begin(), m.members.end() - 1); },
+    [](Message& m) { m.opened -= 900'000'000, m.deadline = m.opened + 100'000'000; },
+    [](Message& m) {
+      m.members = {m.from, m.from + "x"};
+    },
     [](Message& m) {
       m.members.pop_back();
       m.entries.pop_back();

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "interaction/role_air.hpp"
+#include "skein/foundation/joined.hpp"
 
 namespace skein::decision_node {
 
@@ -212,8 +213,16 @@ void Interaction::carry_out(const interaction::SendSessionMessage& effect) {
 }
 
 void Interaction::carry_out(const interaction::InvitedToNegotiate& effect) {
+  JointTask* task = about(effect.terms.subject);
+  // Who is no member of the joint task asks nothing of it.
+  if (task != nullptr && !std::ranges::includes(task->joint().members, effect.terms.members)) {
+    return carry_out(
+        interaction::MessageRejected{effect.terms.opener, effect.terms.subject,
+                                     "of members " + joined(effect.terms.members, ", ") +
+                                         ", not of " + joined(task->joint().members, ", ")});
+  }
   host_.bus().emit(NegotiationNoted{effect.terms, "invited", {}, "", {}});
-  if (JointTask* task = about(effect.terms.subject)) task->invited(effect.terms);
+  if (task != nullptr) task->invited(effect.terms);
 }
 
 // Evaluated after what led to it is carried out.
