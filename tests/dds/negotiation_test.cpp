@@ -12,6 +12,8 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
+constexpr const char* kRate = "20";
+
 /// Of the decision nodes, of the intruder's, and of its writer of garbage.
 struct Vendors {
   std::string ours, intruder, garbage;
@@ -24,10 +26,10 @@ class DdsNegotiation : public ::testing::TestWithParam<Vendors> {
     const auto& [ours, theirs, garbage] = GetParam();
     const std::string domain = std::to_string(lease_.domain());
     intruder_.emplace(run_tool::Process::start({SKEIN_BINARY_DIR "/bin/skein_dds_intruder", domain,
-                                                without, others, theirs, garbage},
+                                                kRate, without, others, theirs, garbage},
                                                run.file("intruder").string())
                           .value());
-    run.start({"--rate", "20", "--domain", domain, "--without", without, "--dds", ours});
+    run.start({"--rate", kRate, "--domain", domain, "--without", without, "--dds", ours});
   }
   /// What these nodes wrote in a line of this kind.
   std::vector<std::string> said(const std::string& node, const std::string& kind,
@@ -49,8 +51,9 @@ class DdsNegotiation : public ::testing::TestWithParam<Vendors> {
 
 TEST_P(DdsNegotiation, NonsenseIsRefusedCountedAndNamedAndTheOthersAgree) {
   run.take_scenario_of("mref/nominal");
-  run.change("\n\nplanning:",
-             "\n  uav3: {model: models/hawk.yaml, start: [-30, 80], degree: 3}\n\nplanning:");
+  run.change("\n\nplanning:", "\n  uav3: {model: " SKEIN_SOURCE_DIR
+                              "/scenarios/mref/models/hawk.yaml, start: [-30, 80], degree: 3}"
+                              "\n\nplanning:");
 
   start("uav3", "uav1,uav2");
   const auto status = run.wait();
@@ -92,8 +95,8 @@ TEST_P(DdsNegotiation, WhoeverNegotiatesWithAMemberThatAnswersNonsenseFailsWithT
   std::string state_12, state_13;
   for (const journal::Record& record : run.records()) {
     if (record.kind() != "goal" || record.node() != "uav1") continue;
-    if (record.text("goal") == "12") state_12 = record.text("state");
-    if (record.text("goal") == "13") state_13 = record.text("state");
+    if (record.number("goal") == 12) state_12 = record.text("state");
+    if (record.number("goal") == 13) state_13 = record.text("state");
   }
   EXPECT_EQ(state_12, "failed");
   EXPECT_EQ(state_13, "achieved");

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A member of a team that negotiates nonsense: skein_dds_intruder DOMAIN SELF UAV,UAV… DDS FOREIGN
-// The decision node of SELF on one DDS, as far as the others see it: it is there, keeps time, and
-// its events arrive. What it is told in a negotiation it answers with an offer of a role that there
-// is not; if it is none of those who negotiate, it tells every other UAV each of kNonsense every
-// mission second. Beside it a writer of
-// its own on another DDS (FOREIGN) writes samples in its name that are no samples.
+// A member of a team that negotiates nonsense.
+//
+//   skein_dds_intruder DOMAIN RATE SELF UAV,UAV… DDS FOREIGN
+//
+// It is the decision node of SELF on one DDS, as far as the others see it: it is there, keeps time,
+// and its events arrive. What it is told in a negotiation it answers with an offer of a role that
+// there is not; if it is none of those who negotiate, it tells every other UAV each of kNonsense
+// every mission second. Beside it a writer of its own on another DDS (FOREIGN) writes samples in
+// its name that are no samples.
+//
 // Exit: 0 the mission is over, 10 stopped, 3 failure.
 #include <atomic>
 #include <chrono>
@@ -145,15 +149,16 @@ std::vector<std::string> split(const std::string& names) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 6) return 2;
-  const std::string self = argv[2];
-  std::vector<std::string> others = split(argv[3]), all = others;
+  if (argc != 7) return 2;
+  const std::string self = argv[3];
+  std::vector<std::string> others = split(argv[4]), all = others;
   all.push_back(self);
   const Roster roster(all);
   DaemonConfig config;
   config.domain = static_cast<std::uint32_t>(std::strtoul(argv[1], nullptr, 10));
-  config.network.dds = blackboard::dds_from_name(argv[4]).value();
-  const auto foreign = blackboard::dds_from_name(argv[5]).value();
+  config.rate = std::strtod(argv[2], nullptr);  // latencies are of mission time
+  config.network.dds = blackboard::dds_from_name(argv[5]).value();
+  const auto foreign = blackboard::dds_from_name(argv[6]).value();
 
   std::atomic<bool> over{false};
   std::vector<std::thread> writers;
