@@ -162,7 +162,7 @@ class Headers:
 def main():
     architecture = Architecture(sys.argv[1])
     commands = json.loads(pathlib.Path(sys.argv[2]).read_text())
-    work = pathlib.Path(sys.argv[2]).parent / "headers_alone"
+    work = pathlib.Path(sys.argv[2]).resolve().parent / "headers_alone"
     every = {name: Headers(architecture, commands, name, work) for name in architecture.libraries}
     includes = Includes({relative: text for one in every.values() for relative, text in one.texts.items()})
     libraries = [every[name] for name in sys.argv[3:] or every]

@@ -12,19 +12,11 @@ namespace {
 
 constexpr Duration kClocksApart = Duration::milliseconds(1'000);  ///< of two members, at the most
 
-std::uint64_t milliseconds(MissionTime now) {
-  return static_cast<std::uint64_t>(std::max<std::int64_t>(now.count(), 0)) / 1'000'000;
-}
-
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace
-
-std::uint64_t Merger::Rising::next(MissionTime now) {
-  return last = std::max(last + 1, milliseconds(now));
-}
 
 Merger::Merger(std::vector<std::string> members, const std::string& self, Limits limits,
                const std::string& witness)
@@ -197,7 +189,7 @@ bool Merger::may_agree(const Peer& peer) const {
 
 /// In a life before this: requests have the time at which they were opened.
 bool Merger::may_have_been_promised(std::uint64_t request) const {
-  return third_ && !first_life_ && request < milliseconds(*begun_ + kClocksApart);
+  return third_ && !first_life_ && request < Rising::least(*begun_ + kClocksApart);
 }
 
 bool Merger::presses(const std::optional<MissionTime>& since) const {

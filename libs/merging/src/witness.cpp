@@ -48,9 +48,7 @@ std::vector<Witness::Answer> Witness::hear(const std::string& from, const Messag
 
 Witness::Answer Witness::answer_to(const std::string& to, std::uint64_t request, bool granted,
                                    MissionTime now) {
-  const auto milliseconds = std::max<std::int64_t>(now.count(), 0) / 1'000'000;
-  number_ = std::max(number_ + 1, static_cast<std::uint64_t>(milliseconds));
-  return {to, Message{number_, {}, request, granted, false}};
+  return {to, Message{numbers_.next(now), {}, request, granted, false}};
 }
 
 /// It does not fly there now, as far as is known here, and may do without. Until it says so it is

@@ -13,6 +13,7 @@
 
 #include "skein/foundation/time.hpp"
 #include "skein/merging/message.hpp"
+#include "skein/merging/rising.hpp"
 #include "skein/merging/standby.hpp"
 
 namespace skein::merging {
@@ -182,12 +183,6 @@ class Merger {
     std::uint64_t number = 0;
     bool agreed = false;                ///< to the request that is open
     std::vector<std::string> refusers;  ///< who has what was asked for last, as it has it
-  };
-
-  /// Numbers go on rising in the life after one that is forgotten.
-  struct Rising {
-    std::uint64_t last = 0;
-    std::uint64_t next(MissionTime now);
   };
 
   void on(const Heard& heard);

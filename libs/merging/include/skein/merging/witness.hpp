@@ -9,6 +9,7 @@
 
 #include "skein/foundation/time.hpp"
 #include "skein/merging/message.hpp"
+#include "skein/merging/rising.hpp"
 
 namespace skein::merging {
 
@@ -57,7 +58,7 @@ class Witness {
   bool first_life_ = false;
   MissionTime begun_;
   std::vector<std::string> refusers_;  ///< of the last answer
-  std::uint64_t number_ = 0;
+  Rising numbers_;
 };
 
 }  // namespace skein::merging
