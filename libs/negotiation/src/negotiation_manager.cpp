@@ -127,7 +127,7 @@ class NegotiationManager::Core {
 
   Session& open(Terms terms) {
     const SessionId id = terms.id();
-    return sessions_.emplace(id, Session(std::move(terms), self_, limits_)).first->second;
+    return sessions_.emplace(id, Session(std::move(terms), self_, limits_, self_)).first->second;
   }
 
   void join(Session& session, NegotiationEffects& out) {
@@ -215,7 +215,7 @@ class NegotiationManager::Core {
       }
       return known->second.receive(message, now_, out);
     }
-    Session fresh(message.terms, self_, limits_);
+    Session fresh(message.terms, self_, limits_, message.from);
     const bool forgotten = message.terms.opened < born_ || fresh.says_more_of_self(message.entries);
     if (!forgotten && message.terms.deadline <= now_) return "of a session that is over";
     if (forgotten) {
@@ -230,6 +230,7 @@ class NegotiationManager::Core {
         message.terms.deadline > over_by_.at(message.terms.subject)) {
       return "of a session that is over too late";
     }
+    if (!has_room_for(message.from)) return too_many();
     const bool moves = !forgotten && current != nullptr && moves_to(message.terms, *current);
     const bool invites = !forgotten && current == nullptr;
     if (moves) current->leave("it moved to an earlier session");
@@ -256,9 +257,32 @@ class NegotiationManager::Core {
   /// Of other members than those with whom the subject is being negotiated.
   std::string turn_down(Session fresh, const SessionMessage& message, NegotiationEffects& out) {
     const std::string& subject = message.terms.subject;
+    if (!has_room_for(message.from)) return too_many();
     Session& session = sessions_.emplace(message.terms.id(), std::move(fresh)).first->second;
     if (const auto problem = session.receive(message, now_, out)) return *problem;
     return session.turn_down(wanted_.at(subject), now_, out);
+  }
+
+  /// For one more session that `uav` tells of: if need be one is forgotten.
+  bool has_room_for(const std::string& uav) {
+    std::size_t known = 0;
+    auto forgettable = sessions_.end();
+    for (auto it = sessions_.begin(); it != sessions_.end(); ++it) {
+      const Session& session = it->second;
+      const bool counts = session.told_by() == uav && (!session.takes_part() || session.moved());
+      if (!counts) continue;
+      ++known;
+      if (session.may_be_forgotten(now_)) forgettable = it;
+    }
+    if (known < limits_.sessions_of_one) return true;
+    if (forgettable == sessions_.end()) return false;
+    sessions_.erase(forgettable);
+    return true;
+  }
+
+  std::string too_many() const {
+    return "it tells of more than " + std::to_string(limits_.sessions_of_one) +
+           " sessions in which " + self_ + " takes no part";
   }
 
   static bool shares(const Session* current, const std::string& uav) {

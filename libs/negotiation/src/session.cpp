@@ -45,10 +45,12 @@ std::optional<std::string> difference(const Wanted& wanted, const Terms& terms) 
 
 }  // namespace
 
-Session::Session(Terms terms, std::string self, const NegotiationLimits& limits)
+Session::Session(Terms terms, std::string self, const NegotiationLimits& limits,
+                 std::string told_by)
     : terms_(std::move(terms)),
       self_(member(self)),
       limits_(limits),
+      told_by_(std::move(told_by)),
       facts_(terms_),
       told_(terms_.members.size(), 0),
       last_sent_(terms_.opened) {}
@@ -60,6 +62,10 @@ std::size_t Session::member(const std::string& uav) const {
 }
 
 bool Session::may_refuse() const { return facts_[self_].vow == Vow::kNone && !facts_[self_].lost; }
+
+bool Session::may_be_forgotten(MissionTime now) const {
+  return terms_.deadline <= now || (decided() && may_refuse());
+}
 
 bool Session::says_more_of_self(const std::vector<Entry>& entries) const {
   const Entry& mine = facts_[self_];
@@ -385,6 +391,7 @@ std::optional<MissionTime> Session::next_wakeup() const {
 
 std::string Session::state_text() const {
   std::string text = to_text(terms_.id()) + (joined_ ? " joined" : " invited");
+  text += ", told by " + told_by_;
   if (moved_) text += " moved";
   if (reckons_) text += " reckons";
   if (result_) text += " knows the result";

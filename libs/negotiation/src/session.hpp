@@ -32,7 +32,8 @@ struct Wanted {
 /// and what it knows ends it: a refusal (failed), all promises (agreed), else the deadline.
 class Session {
  public:
-  Session(Terms terms, std::string self, const NegotiationLimits& limits);
+  /// `told_by`: who told of it first; oneself: it is opened here.
+  Session(Terms terms, std::string self, const NegotiationLimits& limits, std::string told_by);
 
   /// The opener, who knows nobody yet, tells everybody.
   void join(const Wanted& wanted, std::shared_ptr<const NegotiationModality> modality,
@@ -59,6 +60,10 @@ class Session {
   const Terms& terms() const { return terms_; }
   std::string state_text() const;
   bool moved() const { return moved_; }
+  const std::string& told_by() const { return told_by_; }
+  /// Nothing that it has said or may be asked for is lost with it: another message brings it back
+  /// as it is, or it is over.
+  bool may_be_forgotten(MissionTime now) const;
   /// Whether that member is known to have promised.
   bool is_bound(const std::string& uav) const;
   bool takes_part() const { return joined_; }
@@ -103,6 +108,7 @@ class Session {
   Terms terms_;
   std::size_t self_;
   NegotiationLimits limits_;
+  std::string told_by_;
   std::shared_ptr<const NegotiationModality> modality_;
   Facts facts_;
   std::vector<FactBits> told_;  ///< what each member is known to know

@@ -330,13 +330,16 @@ TEST(EveryModality, KeepsTheLawsAtEveryCut) {
 /// A session of up to eight UAVs with losses, delays that reorder, cuts, crashes and restarts.
 class RandomSession {
  public:
-  explicit RandomSession(std::uint64_t seed)
+  explicit RandomSession(std::uint64_t seed, NegotiationLimits limits = {})
       : random_(seed),
         n_(2 + random_.below(7)),
         loss_(random_.chance(0.3) ? 0 : random_.uniform(0, 0.5)),
-        team_(n_, [this](std::size_t from, std::size_t to, MissionTime at) {
-          return delay(from, to, at);
-        }) {
+        team_(
+            n_,
+            [this](std::size_t from, std::size_t to, MissionTime at) {
+              return delay(from, to, at);
+            },
+            limits) {
     if (seed % 3 == 0) team_.make_results_jobs();
   }
 
@@ -419,6 +422,33 @@ TEST(RandomSessions, KeepTheLaws) {
   RecordProperty("undecided", static_cast<int>(undecided));
   EXPECT_GT(agreed, random_sessions() / 4) << "else the laws hold because nothing happens";
   EXPECT_GT(failed, random_sessions() / 10);
+}
+
+// What is forgotten, or not heard, is never a reason for two different ends.
+TEST(RandomSessions, KeepTheLawsHoweverFewSessionsOfOneAreHeard) {
+  std::size_t agreed = 0, unheard = 0;
+  for (const std::size_t few : {0, 1, 2}) {
+    NegotiationLimits limits;
+    limits.sessions_of_one = few;
+    for (std::uint64_t seed = 1; seed <= random_sessions() / 4; ++seed) {
+      RandomSession session(seed, limits);
+      Team& team = session.run();
+      ASSERT_EQ(team.outcomes().breaks(), "") << few << " sessions of one, seed " << seed;
+      agreed += count(team, Kind::kAgreed) > 0 ? 1 : 0;
+      for (const std::string& why : team.rejected())
+        unheard += why.starts_with("it tells of more than") ? 1 : 0;
+    }
+  }
+  EXPECT_GT(agreed, random_sessions() / 8) << "else the laws hold because nothing happens";
+  EXPECT_GT(unheard, 0U);
+}
+
+TEST(RandomSessions, AllSessionsOfOneAreHeard) {
+  for (std::uint64_t seed = 1; seed <= random_sessions() / 4; ++seed) {
+    RandomSession session(seed);
+    for (const std::string& why : session.run().rejected())
+      ASSERT_FALSE(why.starts_with("it tells of more than")) << "seed " << seed << ": " << why;
+  }
 }
 
 // The same messages whatever the order of a map or of a run.

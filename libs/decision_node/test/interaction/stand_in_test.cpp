@@ -5,9 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "skein/world/world_builder.hpp"
 #include "testing/flown_node.hpp"
-#include "testing/watch_and_relay.hpp"
+#include "testing/stood_in.hpp"
 
 namespace skein::decision_node {
 namespace {
@@ -20,49 +19,15 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-mission::HighLevelTask watching_task(std::uint64_t id = 22) {
-  mission::HighLevelTask task;
-  task.id = mission::GoalId(id);
-  task.name = "watching";
-  task.arguments = {std::string("fire"), world::Vector3(0, 0, 5), 60.0,
-                    std::vector<std::string>{"marvin", "heliv"}};
-  return task;
-}
-
-Config config_of(const std::string& by_ground) {
-  auto library = std::make_shared<interaction::Library>(*testing::watching_library());
-  if (!by_ground.empty()) {
-    library->models.at("watching").variants.front().by_ground.insert(by_ground);
-  }
-  world::WorldFile file;
-  file.origin = world::GeodeticOrigin{};
-  world::TerrainSpec terrain;
-  terrain.west = terrain.south = -500;
-  terrain.east = terrain.north = 500;
-  file.terrain = terrain;
-  file.radio.range = 1000;
-  Config config;
-  config.uav = "marvin";
-  config.others = {"heliv"};
-  auto knowledge = std::make_shared<supervisor::Knowledge>();
-  knowledge->uav = "marvin";
-  knowledge->vehicle.hovers = true;
-  knowledge->vehicle.cruise_speed = 10;
-  config.knowledge = knowledge;
-  config.world = std::make_shared<world::World>(world::build_world(std::move(file)).value());
-  config.interaction = library;
-  return config;
-}
-
 class StoodIn : public ::testing::Test {
  protected:
   StandInEffects give(const StandInInput& input) { return stand_in_.handle(input, now_); }
   StandInEffects play() {
     give(testing::flying(true));
-    return give(PlayJointTask{watching_task()});
+    return give(PlayJointTask{testing::watching_task()});
   }
 
-  StandIn stand_in_{config_of("relay")};
+  StandIn stand_in_{testing::stood_in_config("relay")};
   MissionTime now_ = MissionTime::seconds(10);
 };
 
@@ -87,10 +52,11 @@ TEST_F(StoodIn, ItOffersTheRolesThatTheModelAllows) {
 }
 
 TEST_F(StoodIn, WhereTheModelAllowsNoneItSaysSo) {
-  StandIn other(config_of(""));
+  StandIn other(testing::stood_in_config(""));
   other.handle(testing::flying(true), now_);
 
-  const auto noted = all<NegotiationNoted>(other.handle(PlayJointTask{watching_task()}, now_).said);
+  const auto noted =
+      all<NegotiationNoted>(other.handle(PlayJointTask{testing::watching_task()}, now_).said);
 
   ASSERT_FALSE(noted.empty());
   bool refused = false;
@@ -103,7 +69,7 @@ TEST_F(StoodIn, WhereTheModelAllowsNoneItSaysSo) {
 }
 
 TEST_F(StoodIn, WhatMakesNoSenseIsOverAtOnce) {
-  mission::HighLevelTask wrong = watching_task();
+  mission::HighLevelTask wrong = testing::watching_task();
   wrong.arguments.pop_back();
 
   const auto effects = give(PlayJointTask{wrong});

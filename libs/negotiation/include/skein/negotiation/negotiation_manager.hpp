@@ -20,6 +20,10 @@ struct NegotiationLimits {
   Duration again = Duration::milliseconds(500);  ///< between sendings of what was not echoed
   Duration ask = Duration::seconds(5);           ///< between questions of who is undecided
   Duration keep = Duration::seconds(600);        ///< records, after their deadline
+  /// Known through one member, of those in which one takes no part, or not any more: each of
+  /// kMostMembers may have opened one about a subject, for four subjects. Further ones are rejected
+  /// until one is over or decided, which is forgotten for it.
+  std::size_t sessions_of_one = 4 * kMostMembers;
 };
 
 /// To take part in a negotiation about a subject: in the session that is open, or in a new one.

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who may ask anew for what a joint task has agreed on: "marvin" and "heliv" are its members,
+// "karma" is none.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <deque>
+
+#include "skein/decision_node/stand_in.hpp"
+#include "skein/foundation/joined.hpp"
+#include "skein/negotiation/negotiation_manager.hpp"
+#include "testing/flown_node.hpp"
+#include "testing/stood_in.hpp"
+
+namespace skein::decision_node {
+namespace {
+
+using interaction::SessionMessage;
+using testing::all;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::Field;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+const Joint& watching() {
+  static const Joint joint = testing::joint();
+  return joint;
+}
+
+/// What is noted of what happens.
+std::vector<std::string> notices(const StandInEffects& effects) {
+  std::vector<std::string> texts;
+  for (const Notice& one : all<Notice>(effects.said)) texts.push_back(one.text);
+  return texts;
+}
+
+/// What `opener` says of a session that it opens about roles.
+SessionMessage invitation(const std::string& opener, const std::vector<std::string>& members,
+                          MissionTime opened) {
+  SessionMessage message;
+  message.from = opener;
+  message.terms.subject = watching().subject + "/roles";
+  message.terms.mission = 1;
+  message.terms.modality = "role-allocation";
+  message.terms.members = members;
+  message.terms.model = watching().hash;
+  message.terms.opener = opener;
+  message.terms.opened = opened;
+  message.terms.deadline = opened + Duration::seconds(10);
+  message.wants_echo = true;
+  for (const std::string& uav : members) {
+    message.entries.emplace_back();
+    message.entries.back().uav = uav;
+  }
+  return message;
+}
+
+/// Stands in for "marvin", who has agreed on roles with "heliv" and waits for what that one says of
+/// the start.
+class AgreedOnRoles : public ::testing::Test {
+ protected:
+  AgreedOnRoles() {
+    give(testing::flying(true));
+    exchange(give(PlayJointTask{testing::watching_task()}));
+    now_ = MissionTime::seconds(12);
+  }
+
+  StandInEffects give(const StandInInput& input) { return stand_in_.handle(input, now_); }
+
+  /// Sessions about roles that it opens.
+  static std::vector<SendNegotiation> opened(const StandInEffects& effects) {
+    std::vector<SendNegotiation> roles = all<SendNegotiation>(effects.said);
+    std::erase_if(roles, [](const SendNegotiation& one) {
+      return !one.message.terms.subject.ends_with("/roles") ||
+             one.message.terms.opener != "marvin" ||
+             one.message.terms.opened < MissionTime::seconds(12);
+    });
+    return roles;
+  }
+
+  std::vector<std::string> agreed_;  ///< subjects
+
+ private:
+  /// Until neither says anything more: heliv takes part in what is about roles.
+  void exchange(const StandInEffects& first) {
+    std::deque<SessionMessage> to_heliv;
+    const auto note = [&](const StandInEffects& effects) {
+      for (const auto& one : all<SendNegotiation>(effects.said))
+        if (one.message.terms.subject.ends_with("/roles")) to_heliv.push_back(one.message);
+      for (const auto& one : all<NegotiationNoted>(effects.said))
+        if (one.state == "agreed") agreed_.push_back(one.terms.subject);
+    };
+    note(first);
+    while (!to_heliv.empty()) {
+      const SessionMessage message = to_heliv.front();
+      to_heliv.pop_front();
+      for (const SessionMessage& answer : answers(interaction::SessionMessageReceived{message}))
+        note(give(answer));
+    }
+  }
+
+  std::vector<SessionMessage> answers(const interaction::NegotiationInput& input) {
+    std::vector<SessionMessage> sent;
+    const auto effects = heliv_.handle(input, now_);
+    for (const interaction::NegotiationEffect& effect : effects.value()) {
+      std::vector<SessionMessage> more;
+      if (const auto* send = std::get_if<interaction::SendSessionMessage>(&effect)) {
+        more = {send->message};
+      } else if (const auto* invited = std::get_if<interaction::InvitedToNegotiate>(&effect)) {
+        const interaction::Terms& terms = invited->terms;
+        more = answers(interaction::BeginNegotiation{terms.subject, terms.modality, terms.members,
+                                                     terms.model, terms.parameters});
+      } else if (const auto* asked = std::get_if<interaction::PrepareOffer>(&effect)) {
+        more = answers(
+            interaction::OfferPrepared{asked->terms.id(), interaction::Rows{{"watch", "", {1}}}});
+      }
+      sent.insert(sent.end(), more.begin(), more.end());
+    }
+    return sent;
+  }
+
+  StandIn stand_in_{testing::stood_in_config("relay")};
+  interaction::NegotiationManager heliv_{
+      "heliv", 1, interaction::standard_modalities(), {}, MissionTime()};
+  MissionTime now_ = MissionTime::seconds(10);
+};
+
+TEST_F(AgreedOnRoles, AMemberMayAskForThemAnew) {
+  ASSERT_THAT(agreed_, Contains(watching().subject + "/roles"));
+
+  const auto effects = give(invitation("heliv", {"heliv", "marvin"}, MissionTime::seconds(11.9)));
+
+  EXPECT_THAT(all<SendNegotiation>(effects.said), Not(IsEmpty()));
+  EXPECT_THAT(all<NegotiationNoted>(effects.said),
+              Contains(Field(&NegotiationNoted::state, "invited")));
+}
+
+TEST_F(AgreedOnRoles, WhoIsNoMemberAsksForNothingAndIsNamed) {
+  const std::vector<std::vector<std::string>> others{{"heliv", "karma", "marvin"},
+                                                     {"karma", "marvin"}};
+  double opened_at = 11.5;
+  for (const auto& members : others) {
+    opened_at += 0.1;
+    const auto effects = give(invitation("karma", members, MissionTime::seconds(opened_at)));
+
+    EXPECT_THAT(opened(effects), IsEmpty());
+    EXPECT_THAT(all<JointTaskChanged>(effects.said), IsEmpty());
+    EXPECT_THAT(all<NegotiationNoted>(effects.said), IsEmpty());
+    EXPECT_THAT(notices(effects), ElementsAre("negotiation of 'karma' about " + watching().subject +
+                                              "/roles: of members " + joined(members, ", ") +
+                                              ", not of heliv, marvin"));
+  }
+}
+
+TEST_F(AgreedOnRoles, OfSessionsWithoutEndSoManyAreHeardAndTheRestIsCountedAndNamedOnce) {
+  std::vector<std::string> named;
+  for (int i = 0; i < 2000; ++i) {
+    auto message = invitation("karma", {"karma", "marvin"},
+                              MissionTime::seconds(11 + 0.0001 * static_cast<double>(i)));
+    for (const std::string& notice : notices(give(message)))
+      if (notice.find("more than") != std::string::npos) named.push_back(notice);
+  }
+
+  const std::string why = "negotiation of 'karma' about " + watching().subject +
+                          "/roles: it tells of more than 64 sessions in which marvin takes no part";
+  EXPECT_THAT(named,
+              ElementsAre(why, why + " (10 times)", why + " (100 times)", why + " (1000 times)"));
+}
+
+}  // namespace
+}  // namespace skein::decision_node
