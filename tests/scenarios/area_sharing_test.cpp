@@ -36,18 +36,27 @@ TEST_P(InCalmAir, AllThreeAreDoneWithinFivePerCentOfEachOther) {
 
 INSTANTIATE_TEST_SUITE_P(AreaSharing, InCalmAir, ::testing::Values("central", "negotiated"));
 
+void expect_mapped_together(const scenario::Scenario& area, std::uint64_t seed) {
+  const Mission mapping = play(area);
+  const MappingEnds ends = mapping_ends(mapping.records);
+
+  ASSERT_EQ(ends.ends.size(), 3U) << area.name << ", area " << seed;
+  EXPECT_EQ(mapping.untrue, "") << area.name << ", area " << seed;
+  EXPECT_LE(ends.spread(), kTogether) << area.name << ", area " << seed;
+}
+
 TEST(AreaSharing, OverAnyAreaTheyAreDoneWithinFivePerCentOfEachOther) {
   const auto areas = cases<std::uint64_t>(2, 12);
   for (std::uint64_t seed = 301; seed < 301 + areas; ++seed) {
-    for (const auto& area : {drawn_area(seed), drawn_central_area(seed)}) {
-      const Mission mapping = play(area);
-      const MappingEnds ends = mapping_ends(mapping.records);
-
-      ASSERT_EQ(ends.ends.size(), 3U) << area.name << ", area " << seed;
-      EXPECT_EQ(mapping.untrue, "") << area.name << ", area " << seed;
-      EXPECT_LE(ends.spread(), kTogether) << area.name << ", area " << seed;
-    }
+    for (const auto& area : {drawn_area(seed), drawn_central_area(seed)})
+      expect_mapped_together(area, seed);
   }
+}
+
+// In 21 a gap of 1 % between lanes was not seen in thought; over 48 all that was flown in thought
+// had the same gap, and they ended 6 % apart.
+TEST(AreaSharing, AnAreaWhoseLanesLeaveGapsIsMappedTogetherAllTheSame) {
+  for (const std::uint64_t seed : {21, 48}) expect_mapped_together(drawn_central_area(seed), seed);
 }
 
 TEST(AreaSharing, ThreeAreDoneBeforeOneAloneAndBeforeSharesInProportion) {

@@ -19,6 +19,10 @@ constexpr std::size_t kPlannings = 12;
 constexpr std::size_t kNearby = 3;
 constexpr double kGolden = 0.6180339887498949;  // multiples lie in no rows
 
+/// Parts are alike whose middles are so near to each other, in swaths, and whose areas differ by so
+/// little of them.
+constexpr double kNear = 0.1, kAlike = 0.01;
+
 /// Of what is flown the last to end is not all: what is flown in the end differs a little again.
 double cost_flown(double latest, double earliest) {
   return latest + 2 * std::max(0.0, latest - earliest - kFineSpread * latest);
@@ -27,6 +31,14 @@ double cost_flown(double latest, double earliest) {
 double lanes_of(const Trial& trial, std::size_t member) {
   return static_cast<double>(trial.sweeps[member].task.lanes.size());
 }
+
+/// A part that was flown in thought.
+struct FlownPart {
+  world::Vector2 middle;
+  double area = 0;   ///< [m²]
+  double lanes = 0;  ///< that coverage has
+  double more = 0;   ///< seconds that it took beyond those of coverage
+};
 
 /// How long a part takes jumps with its lanes, and where they would leave gaps one more is flown
 /// than coverage has. So what coverage plans is flown, the most promising first; then, with shares
@@ -38,7 +50,7 @@ class FlownBalancer {
         best_(std::move(best)),
         tracks_(std::move(tracks)),
         planned_(std::move(planned)),
-        more_(best_.sweeps.size()) {}
+        flown_(best_.sweeps.size()) {}
 
   Trial run() {
     Track found{best_.division, planner_.abilities()};
@@ -58,7 +70,7 @@ class FlownBalancer {
  private:
   bool wants_more() const {
     const std::size_t most = best_.spread > kWideSpread ? kFlightsIfWide : kFlights;
-    return flights_ < most * more_.size() && best_.spread > kFineSpread && planner_.flies();
+    return flights_ < most * flown_.size() && best_.spread > kFineSpread && planner_.flies();
   }
 
   /// Of all that was planned, as long as it may be better than the best if no gaps are left.
@@ -75,15 +87,38 @@ class FlownBalancer {
     planned_.clear();
   }
 
-  /// What it costs to fly if lanes take no more than they were once seen to.
+  /// What it costs to fly if parts take no more than those like them did, or where none is, lanes
+  /// no more than they were once seen to.
   double hoped(const Trial& trial) const {
     double latest = 0, earliest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < trial.sweeps.size(); ++i) {
-      const double end = trial.sweeps[i].cost + more_[i].value_or(0) * lanes_of(trial, i);
+      const double end = trial.sweeps[i].cost + more_of(trial, i);
       latest = std::max(latest, end);
       earliest = std::min(earliest, end);
     }
     return cost_flown(latest, earliest);
+  }
+
+  FlownPart part_of(const Trial& trial, std::size_t member) const {
+    const world::Polygon& part = trial.division.parts[member];
+    return {middle_of(part), world::area(part), lanes_of(trial, member), 0};
+  }
+
+  double more_of(const Trial& trial, std::size_t member) const {
+    const FlownPart part = part_of(trial, member);
+    double nearest = kNear * planner_.query().members[member].swath;
+    double least = std::numeric_limits<double>::infinity();
+    std::optional<double> alike;
+    for (const FlownPart& other : flown_[member]) {
+      least = std::min(least, other.more / other.lanes);
+      const double off = (other.middle - part.middle).norm();
+      const bool is_like = other.lanes == part.lanes &&
+                           std::abs(other.area - part.area) < kAlike * part.area && off < nearest;
+      if (!is_like) continue;
+      nearest = off;
+      alike = other.more;
+    }
+    return alike.value_or(flown_[member].empty() ? 0 : least * part.lanes);
   }
 
   /// Ways like one that was found, the cuts turned a little otherwise each round.
@@ -114,7 +149,7 @@ class FlownBalancer {
     const auto areas = wants_more() ? fair_areas(track.abilities, planner_.whole()) : std::nullopt;
     if (!areas) return;
     // Where those were in vain, others.
-    const bool in_vain = flights_ >= kFlights * more_.size();
+    const bool in_vain = flights_ >= kFlights * flown_.size();
     auto ways = nearby(track, *areas, round, in_vain ? kWays : kNearby);
     if (ways.empty()) return;
     auto trial = planner_.plan(*areas, std::move(ways[round % ways.size()]));
@@ -129,8 +164,8 @@ class FlownBalancer {
       ++flights_;
       const double planned = trial.sweeps[i].cost;
       if (!planner_.fly(trial, i)) return false;
-      const double more = (trial.sweeps[i].cost - planned) / lanes_of(trial, i);
-      more_[i] = std::min(more_[i].value_or(more), more);
+      flown_[i].push_back(part_of(trial, i));
+      flown_[i].back().more = trial.sweeps[i].cost - planned;
       learn(trial, i, track);
       latest = std::max(latest, trial.sweeps[i].cost);
       earliest = std::min(earliest, trial.sweeps[i].cost);
@@ -156,9 +191,9 @@ class FlownBalancer {
   Trial best_;
   double best_cost_ = 0;  ///< once it is flown
   std::vector<Track> tracks_;
-  std::vector<Trial> planned_;               ///< not flown yet
-  std::vector<std::optional<double>> more_;  ///< of each member, that a lane took at least [s]
-  std::size_t flights_ = 0;                  ///< sweeps flown so far
+  std::vector<Trial> planned_;                 ///< not flown yet
+  std::vector<std::vector<FlownPart>> flown_;  ///< by each member
+  std::size_t flights_ = 0;                    ///< sweeps flown so far
 };
 
 }  // namespace

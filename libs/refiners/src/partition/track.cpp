@@ -2,15 +2,12 @@
 #include "partition/track.hpp"
 
 namespace skein::refiners::partition {
-namespace {
 
 Vector2 middle_of(const Polygon& polygon) {
   Vector2 sum = Vector2::Zero();
   for (const Vector2& corner : polygon) sum += corner;
   return sum / static_cast<double>(polygon.size());
 }
-
-}  // namespace
 
 double unlikeness(const Division& a, const Division& b) {
   double sum = 0;

@@ -20,6 +20,8 @@ inline constexpr std::size_t kWays = 24;
 /// A spread that nobody minds.
 inline constexpr double kFineSpread = 0.01;
 
+/// Of its corners [m].
+world::Vector2 middle_of(const world::Polygon& part);
 /// Less when parts lie where the other's do: sum of the squares between their middles [m²].
 double unlikeness(const Division& a, const Division& b);
 

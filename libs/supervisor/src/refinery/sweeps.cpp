@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kSpacing = 2;  // turn radii between points of arcs: none is circled then
 constexpr double kPlastic = 0.7548776662466927;  // 1 / 1.3247…, the root of x³ = x + 1
-constexpr int kSamples = 600;                    // of a zone's box, to see what is seen of it
+constexpr int kSamples = 2400;                   // of a zone's box, to see what is seen of it
 constexpr double kRunIn = 3;                     // turn radii before the first lane
 // Waiting circles' radii, straight before a lane that is taken up again.
 constexpr double kRunInAgain = 2;
