@@ -66,6 +66,10 @@ CellFigures figures_of(const Rows& rows, Algorithm algorithm) {
   for (const ExperimentRow* row : rows) {
     figures.most_data =
         std::max(figures.most_data, static_cast<double>(row->of(algorithm).most_data));
+    for (std::size_t turn = 0; turn < kTurns; ++turn) {
+      const Traffic& most = row->of(algorithm).most[turn];
+      if (most.data() > figures.most[turn].data()) figures.most[turn] = most;
+    }
   }
   return figures;
 }
@@ -78,6 +82,7 @@ ExperimentCell cell_of(const Rows& rows) {
   const auto count = static_cast<double>(rows.size());
   for (const ExperimentRow* row : rows) {
     cell.frontier += row->frontier / count;
+    for (std::size_t turn = 0; turn < kTurns; ++turn) cell.turns[turn] += row->turns[turn];
     cell.greatest_boundary =
         std::max(cell.greatest_boundary, static_cast<double>(row->greatest_boundary));
   }

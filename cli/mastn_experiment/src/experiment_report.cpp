@@ -148,6 +148,21 @@ std::string figure_4_line(const std::vector<ExperimentCell>& cells, const WorstC
          " | " + rounded(least_c) + " to " + rounded(greatest_c) + " |\n";
 }
 
+// Of an algorithm the worst of one turn, wherever it was: "1610 (736 RELAX and RELAXED)".
+std::string worst_of(const std::vector<ExperimentCell>& cells, Algorithm algorithm,
+                     std::size_t turn) {
+  Traffic worst;
+  for (const ExperimentCell& cell : cells) {
+    const Traffic& most = cell.of(algorithm).most[turn];
+    if (most.data() > worst.data()) worst = most;
+  }
+  std::string text = std::to_string(worst.data());
+  if (worst.relaxations > 0) {
+    text += " (" + std::to_string(worst.relaxations) + " RELAX and RELAXED)";
+  }
+  return text;
+}
+
 std::string result_line(const ExperimentCell& cell) {
   const CellFigures& cip = cell.of(Algorithm::kCip);
   const CellFigures& dip_l = cell.of(Algorithm::kDipL);
@@ -197,6 +212,25 @@ std::string figure_4(const std::vector<ExperimentCell>& cells) {
   for (const ExperimentCell& cell : kept) boundary = std::max(boundary, cell.greatest_boundary);
   return table + "\nw, the most boundary nodes of a component, is at most " + rounded(boundary, 0) +
          " in these networks.\n";
+}
+
+std::string tail_table(const std::vector<ExperimentCell>& cells, ScenarioMode mode) {
+  const std::vector<ExperimentCell> kept = of_mode(cells, mode);
+  std::string table = "| perturbation, mode " + to_text(mode) +
+                      " | how many | CIP | DIP-G | DIP-L | DIP-M |\n|---|---|---|---|---|---|\n";
+  constexpr std::array<const char*, kTurns> kNames = {
+      "contraction between consistent states", "relaxation between consistent states",
+      "makes the network inconsistent", "of an inconsistent network"};
+  for (std::size_t turn = 0; turn < kTurns; ++turn) {
+    std::uint64_t count = 0;
+    for (const ExperimentCell& cell : kept) count += cell.turns[turn];
+    table += std::string("| ") + kNames[turn] + " | " + std::to_string(count) + " |";
+    for (const Algorithm algorithm : kAllAlgorithms) {
+      table += " " + worst_of(kept, algorithm, turn) + " |";
+    }
+    table += "\n";
+  }
+  return table;
 }
 
 std::string results_table(const std::vector<ExperimentCell>& cells, ScenarioMode mode) {

@@ -56,9 +56,19 @@ Reference play_single(const Mastn& mastn, const std::vector<Step>& steps) {
   return reference;
 }
 
+constexpr std::size_t index_of(Turn turn) { return static_cast<std::size_t>(turn); }
+
 // Whether the network is consistent before and after a step; at first it is.
 bool is_calm(const Reference& reference, std::size_t step) {
   return reference.points[step].consistent && (step == 0 || reference.points[step - 1].consistent);
+}
+
+Turn turn_of(const Mastn& mastn, const Step& change, const Reference& reference, std::size_t step) {
+  if (step > 0 && !reference.points[step - 1].consistent) return Turn::kBroken;
+  if (!reference.points[step].consistent) return Turn::kBreak;
+  const auto& arc = mastn.arcs[change.arc];
+  const bool inside = change.min >= arc.min && change.max <= arc.max;
+  return inside ? Turn::kContraction : Turn::kRelaxation;
 }
 
 bool is_right(const MastnSimulation& simulation, const Reference::Point& point) {
@@ -103,6 +113,8 @@ AlgorithmFigures play(Algorithm algorithm, const Mastn& mastn, const std::vector
     SKEIN_ENSURES(simulation.settle(kMostMessages));
     const Traffic sent = simulation.traffic() - before;
     figures.most_data = std::max(figures.most_data, sent.data());
+    Traffic& most = figures.most[index_of(turn_of(mastn, steps[step], reference, step))];
+    if (sent.data() > most.data()) most = sent;
     figures.calm_data += is_calm(reference, step) ? sent.data() : 0U;
     figures.wrong += is_right(simulation, reference.points[step]) ? 0U : 1U;
     const std::uint64_t bound = boundary.ordered_pairs(change.arc);
@@ -133,6 +145,7 @@ std::string csv_line(const ExperimentRow& row, Algorithm algorithm) {
         row.single_checks, row.full_checks, figures.wrong, row.calm, figures.calm_data}) {
     line += "," + std::to_string(value);
   }
+  for (const Traffic& most : figures.most) line += "," + std::to_string(most.data());
   return line + "\n";
 }
 
@@ -156,6 +169,7 @@ ExperimentRow measure(const MastnShape& shape, ScenarioMode mode, std::uint64_t 
     row.inconsistent += point.consistent ? 0U : 1U;
   for (std::size_t step = 0; step < steps.size(); ++step) {
     row.calm += is_calm(reference, step) ? 1U : 0U;
+    ++row.turns[index_of(turn_of(mastn, steps[step], reference, step))];
   }
   row.single_checks = reference.checks;
   row.full_checks = reference.full_checks;
@@ -192,7 +206,7 @@ std::string to_csv(const std::vector<ExperimentRow>& rows) {
       "mode,agents,nodes,local,external,seed,frontier,algorithm,perturbations,inconsistent,data,"
       "disturbances,node_updates,updates,relaxations,macro_packs,macro_arcs,macro_bounds,"
       "consistency,most_data,checks,eliminations,single_checks,full_checks,wrong,"
-      "calm,calm_data\n";
+      "calm,calm_data,most_contraction,most_relaxation,most_break,most_broken\n";
   for (const ExperimentRow& row : rows) {
     for (const Algorithm algorithm : kAllAlgorithms) text += csv_line(row, algorithm);
   }

@@ -230,6 +230,20 @@ TEST(ExperimentReport, HasTheFourPlotsOfFigure5) {
   EXPECT_TRUE(figure_5(cells_of(good_rows()), ScenarioMode::kFree).empty());
 }
 
+TEST(ExperimentReport, TellsWhichPerturbationsMakeMostMessages) {
+  std::vector<ExperimentRow> rows = {good_row(4, 2, 0.1), good_row(16, 12, 0.7)};
+  rows[0].turns = {30, 5, 1, 4};
+  rows[1].turns = {20, 2, 3, 0};
+  of(rows[0], Algorithm::kDipL).most[1].updates = 90;
+  of(rows[1], Algorithm::kDipL).most[1].updates = 60;
+  of(rows[1], Algorithm::kDipL).most[1].relaxations = 40;
+
+  const std::string table = tail_table(cells_of(rows), ScenarioMode::kKept);
+
+  EXPECT_THAT(table, HasSubstr("| contraction between consistent states | 50 | 0 |"));
+  EXPECT_THAT(table, HasSubstr("| 7 | 0 | 0 | 100 (40 RELAX and RELAXED) | 0 |"));
+}
+
 TEST(ExperimentReport, TablesHaveALineForEachAlgorithmParameterSetAndClaim) {
   const std::vector<ExperimentCell> cells = cells_of(good_rows());
   const auto lines = [](const std::string& text) {

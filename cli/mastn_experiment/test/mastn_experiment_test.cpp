@@ -69,6 +69,18 @@ TEST_P(Measured, CountsPerturbationsBetweenConsistentStatesApart) {
   EXPECT_LE(row.of(Algorithm::kCip).calm_data, row.of(Algorithm::kCip).traffic.data());
 }
 
+TEST_P(Measured, TellsOfEachPerturbationWhatItDoes) {
+  const auto of = [this](Turn turn) { return row.turns[static_cast<std::size_t>(turn)]; };
+  EXPECT_EQ(of(Turn::kContraction) + of(Turn::kRelaxation), row.calm);
+  EXPECT_EQ(of(Turn::kBreak) + of(Turn::kBroken), row.perturbations - row.calm);
+  EXPECT_EQ(of(Turn::kBreak) > 0, row.inconsistent > 0);
+  for (const AlgorithmFigures& figures : row.algorithms) {
+    std::uint64_t most = 0;
+    for (const Traffic& each : figures.most) most = std::max(most, each.data());
+    EXPECT_EQ(most, figures.most_data);
+  }
+}
+
 TEST_P(Measured, StartingAfreshCostsMore) { EXPECT_GT(row.full_checks, 4 * row.single_checks); }
 
 INSTANTIATE_TEST_SUITE_P(Modes, Measured,

@@ -61,7 +61,9 @@ std::vector<temporal::Claim> claims_about(const std::vector<temporal::Experiment
 std::string results_page(const std::vector<temporal::ExperimentCell>& cells,
                          const std::vector<temporal::Claim>& claims) {
   return "# Results of `skein mastn bench`\n\n## Worst cases (figure 4)\n\n" + figure_4(cells) +
-         "\n## Mode K\n\n" + results_table(cells, ScenarioMode::kKept) + "\n## Mode F\n\n" +
+         "\n## Most messages of one perturbation\n\n" + tail_table(cells, ScenarioMode::kKept) +
+         "\n" + tail_table(cells, ScenarioMode::kFree) + "\n## Mode K\n\n" +
+         results_table(cells, ScenarioMode::kKept) + "\n## Mode F\n\n" +
          results_table(cells, ScenarioMode::kFree) + "\n## Claims\n\n" + claims_table(claims);
 }
 

@@ -26,7 +26,8 @@ struct CellFigures {
   Spread macro_arcs;    ///< DIP-M: macro-arcs sent; else 0
   Spread computation;   ///< C_X = checks of all agents / checks of a single agent
   Spread eliminations;  ///< the part of C_X that eliminations make
-  double most_data = 0;  ///< greatest number of data messages of one perturbation
+  double most_data = 0;                ///< greatest number of data messages of one perturbation
+  std::array<Traffic, kTurns> most{};  ///< of the perturbation of each `Turn` that made most
 };
 
 struct ExperimentCell {
@@ -38,6 +39,7 @@ struct ExperimentCell {
   Spread single_checks;     ///< per perturbation
   Spread full_checks;       ///< per perturbation
   double greatest_boundary = 0;
+  std::array<std::uint64_t, kTurns> turns{};  ///< perturbations of each
   std::array<CellFigures, 4> algorithms;
 
   const CellFigures& of(Algorithm algorithm) const {

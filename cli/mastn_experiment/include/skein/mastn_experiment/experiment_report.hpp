@@ -22,6 +22,8 @@ std::vector<ExperimentPlot> figure_5(const std::vector<ExperimentCell>& cells, S
 
 /// Worst cases of figure 4 of M beside what was measured; Markdown.
 std::string figure_4(const std::vector<ExperimentCell>& cells);
+/// The most data messages of one perturbation, by what it does to the network; Markdown.
+std::string tail_table(const std::vector<ExperimentCell>& cells, ScenarioMode mode);
 /// One line for each parameter set of the mode; Markdown.
 std::string results_table(const std::vector<ExperimentCell>& cells, ScenarioMode mode);
 /// Markdown.

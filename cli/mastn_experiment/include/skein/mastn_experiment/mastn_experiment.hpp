@@ -17,6 +17,15 @@ namespace skein::temporal {
 inline constexpr std::array<Algorithm, 4> kAllAlgorithms = {Algorithm::kCip, Algorithm::kDipG,
                                                             Algorithm::kDipL, Algorithm::kDipM};
 
+/// What a perturbation does to the network.
+enum class Turn : std::uint8_t {
+  kContraction,  ///< between consistent states, to a value inside the arc's interval
+  kRelaxation,   ///< between consistent states, to one outside of it
+  kBreak,        ///< from a consistent state to an inconsistent one
+  kBroken        ///< from an inconsistent state
+};
+inline constexpr std::size_t kTurns = 4;
+
 /// One algorithm through one scenario, after the propagation of the initial network.
 struct AlgorithmFigures {
   Traffic traffic;
@@ -26,6 +35,8 @@ struct AlgorithmFigures {
   std::uint64_t wrong = 0;         ///< quiescent points with a date or verdict that is not right
   std::uint64_t excess = 0;        ///< perturbations over the bound that the algorithm guarantees
   std::uint64_t calm_data = 0;     ///< data messages of the perturbations that `calm` counts
+  std::array<Traffic, kTurns>
+      most{};  ///< by `Turn`, of the perturbation that made most data messages
 };
 
 /// One network and its scenario, each step injected when all is quiet, delivery at once.
@@ -35,11 +46,12 @@ struct ExperimentRow {
   std::uint64_t seed = 0;
   double frontier = 0;  ///< ρ = V_F / V
   std::uint64_t perturbations = 0;
-  std::uint64_t inconsistent = 0;       ///< of these, how many left the network inconsistent
-  std::uint64_t calm = 0;               ///< of these, how many led from a consistent network to one
-  std::uint64_t single_checks = 0;      ///< of one agent that has the whole network
-  std::uint64_t full_checks = 0;        ///< of one that starts afresh at each perturbation
-  std::uint64_t greatest_boundary = 0;  ///< w: most boundary nodes of a component
+  std::uint64_t inconsistent = 0;  ///< of these, how many left the network inconsistent
+  std::uint64_t calm = 0;          ///< of these, how many led from a consistent network to one
+  std::array<std::uint64_t, kTurns> turns{};   ///< of these, how many were of each `Turn`
+  std::uint64_t single_checks = 0;             ///< of one agent that has the whole network
+  std::uint64_t full_checks = 0;               ///< of one that starts afresh at each perturbation
+  std::uint64_t greatest_boundary = 0;         ///< w: most boundary nodes of a component
   std::array<AlgorithmFigures, 4> algorithms;  ///< in the order of `Algorithm`
 
   const AlgorithmFigures& of(Algorithm algorithm) const {
