@@ -17,8 +17,10 @@ struct EndHeadings {
 Way flown_again(const Way& way, FlyableLegs& legs, double radius, const EndHeadings& headings);
 
 /// Points of a way that stand closer than `least` [m] to the one before are left out where the leg
-/// between their neighbours is free and what is left can be flown; the ends stay.
-Way without_tiny_legs(const Way& way, double least, const FlyableLegs::IsFree& is_free,
+/// between their neighbours is free and what is left can be flown; where not, they are moved apart.
+/// The ends stay.
+Way without_tiny_legs(const Way& way, double least, double radius,
+                      const FlyableLegs::IsFree& is_free,
                       const std::function<bool(const Way&)>& is_flyable);
 
 }  // namespace skein::refiners

@@ -106,7 +106,7 @@ Way finished(const Way& found, const FlyableQuery& query, const world::VehicleMo
     Way again = flown_again(way, legs, limits.radius, {query.heading_from, query.heading_to});
     if (is_flown(again)) way = std::move(again);
   }
-  return without_tiny_legs(way, kLeastLeg, query.is_free, is_flown);
+  return without_tiny_legs(way, kLeastLeg, limits.radius, query.is_free, is_flown);
 }
 
 /// At most what two chords of an arc that meet show.
