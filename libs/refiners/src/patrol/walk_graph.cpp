@@ -184,6 +184,16 @@ class GraphMaker {
   WalkGraph graph_;
 };
 
+/// The least length that passing a place takes.
+double least_pass(const WalkGraph::Place& place) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < place.links.size(); ++i)
+    for (std::size_t j = 0; j < place.links.size(); ++j)
+      least = std::min(least, (place.links[i].length + place.links[j].length) / 2 +
+                                  place.detours[i * place.links.size() + j]);
+  return least;
+}
+
 }  // namespace
 
 std::optional<WalkGraph> make_walk_graph(const PatrolField& field, const PatrolSpace& space,
@@ -193,15 +203,36 @@ std::optional<WalkGraph> make_walk_graph(const PatrolField& field, const PatrolS
 
 double least_mean_of_walks(const WalkGraph& graph) {
   double roots = 0;
-  for (const WalkGraph::Place& place : graph.places) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < place.links.size(); ++i)
-      for (std::size_t j = 0; j < place.links.size(); ++j)
-        least = std::min(least, (place.links[i].length + place.links[j].length) / 2 +
-                                    place.detours[i * place.links.size() + j]);
-    roots += std::sqrt(place.risk * least);
-  }
+  for (const WalkGraph::Place& place : graph.places)
+    roots += std::sqrt(place.risk * least_pass(place));
   return roots * roots / (2 * graph.total_risk);
+}
+
+double least_worst_of_walks(const WalkGraph& graph) {
+  double worst = 0;
+  for (const WalkGraph::Place& place : graph.places) worst += place.top * least_pass(place);
+  return worst;
+}
+
+// The visits a metre that are best, max(top / worst, λ √(R / c)), fill the metre: λ by halving.
+double least_mean_of_walks(const WalkGraph& graph, double worst) {
+  if (worst < least_worst_of_walks(graph)) return std::numeric_limits<double>::infinity();
+  const auto visits = [&](const WalkGraph::Place& place, double lambda) {
+    return std::max(place.top / worst, lambda * std::sqrt(place.risk / least_pass(place)));
+  };
+  double least = 0, most = 0;
+  for (const WalkGraph::Place& place : graph.places)
+    most = std::max(most, 1 / std::sqrt(place.risk * least_pass(place)));
+  for (int halving = 0; halving < 60; ++halving) {
+    const double lambda = (least + most) / 2;
+    double filled = 0;
+    for (const WalkGraph::Place& place : graph.places)
+      filled += visits(place, lambda) * least_pass(place);
+    (filled > 1 ? most : least) = lambda;
+  }
+  double mean = 0;
+  for (const WalkGraph::Place& place : graph.places) mean += place.risk / visits(place, most);
+  return mean / (2 * graph.total_risk);
 }
 
 bool append_shortest(const WalkGraph& graph, std::uint32_t from, std::uint32_t to, Walk& walk) {

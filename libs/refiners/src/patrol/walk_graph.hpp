@@ -72,6 +72,14 @@ std::optional<WalkGraph> make_walk_graph(const PatrolField& field, const PatrolS
 /// is the risk of a place and c the least that passing it takes. Proof: docs/decisions/0027.
 double least_mean_of_walks(const WalkGraph& graph);
 
+/// What the greatest risk × idleness of no walk is below, by length [m]: Σ t c, where t is the risk
+/// of a place's most risky cell. Proof: docs/decisions/0027.
+double least_worst_of_walks(const WalkGraph& graph);
+
+/// What the mean idleness by risk of no walk is below whose greatest risk × idleness is `worst` [m]
+/// at most; infinite below least_worst_of_walks. Source: docs/decisions/0027.
+double least_mean_of_walks(const WalkGraph& graph, double worst);
+
 /// Lanes in turn, and shortest ways where one does not lead to the next. Visits every place.
 Walk walk_in_turn(const WalkGraph& graph);
 

@@ -376,6 +376,39 @@ TEST(LeastMeanOfWalks, IsNotAboveTheBestOfAllClosedWalksNorFarBelowItWhereRiskIs
   }
 }
 
+TEST(LeastWorstOfWalks, IsThatOfARoundWhereEveryPlaceIsAlike) {
+  Site site(24, 24, 1, 1);
+  std::fill(site.field.risk.begin(), site.field.risk.end(), 0.5);
+  site.field.total_risk = 0.5 * static_cast<double>(site.field.cells.size());
+  const WalkGraph graph = graph_of(site);
+
+  EXPECT_NEAR(least_worst_of_walks(graph), 0.5 * 288, 1e-6);
+  EXPECT_NEAR(least_mean_of_walks(graph, 0.5 * 288 + 1e-6), 144, 1e-3);
+  EXPECT_EQ(least_mean_of_walks(graph, 0.5 * 287), std::numeric_limits<double>::infinity());
+}
+
+/// A walk that keeps the worst is counted by its mean, others are dearer than any.
+TEST(LeastMeanOfWalks, ThatKeepTheWorstIsNotAboveTheBestOfAllClosedWalksThatDo) {
+  for (std::uint64_t seed = 1; seed <= (skein::testing::long_tests() ? 8U : 2U); ++seed) {
+    const Site site(6, 4, 1, seed);
+    const WalkGraph graph = graph_of(site);
+    const double least = least_worst_of_walks(graph);
+    for (const double part : {0.999, 1.3, 1.8, 3.0}) {
+      const double worst = part * least;
+      const WalkMeasure kept{.mean_idleness = 1, .worst_risk_idleness = worst, .too_long = 1e12};
+
+      const double best = BestOfAll(graph, kept, 12).badness();
+
+      if (part < 1) {
+        EXPECT_GT(best, 1e3) << "seed " << seed;
+      } else {
+        EXPECT_LE(least_mean_of_walks(graph, worst), best + 1e-9) << "seed " << seed << ' ' << part;
+      }
+      EXPECT_GE(least_mean_of_walks(graph, worst), least_mean_of_walks(graph) - 1e-6);
+    }
+  }
+}
+
 TEST(AnnealedWalk, OfAFewPlacesIsAsGoodAsTheBestOfAllClosedWalksOfTwiceTheirNumber) {
   const int sites = skein::testing::long_tests() ? 6 : 2;
   for (int seed = 1; seed <= sites; ++seed) {
