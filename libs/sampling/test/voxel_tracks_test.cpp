@@ -291,7 +291,7 @@ world::World saw_toothed(std::uint64_t seed) {
   return world;
 }
 
-/// An audit's ground of this kind had a leg of 0.35 m, as five ways of 200 here: two legs as steep
+/// An audit's ground of this kind had a leg of 0.35 m, as four ways of 200 here: two legs as steep
 /// as can be flown became one that rounding made a hundred millionth too steep; or a short leg lay
 /// between two arcs, one way and the other.
 TEST(VoxelWays, HaveNoLegUnderAMetreOverSawTeeth) {
