@@ -7,6 +7,7 @@
 #include <set>
 
 #include "checks.hpp"
+#include "scripted.hpp"
 
 namespace skein::laws {
 
@@ -17,19 +18,7 @@ constexpr double kMoment = 3;        ///< [s] for the plan to be made, and to be
 constexpr double kEnergyPart = 0.2;  ///< of what it takes
 constexpr double kEnergySlack = 0.005;
 
-using ground_station::Action;
 using ground_station::SendMission;
-
-template <class See>
-void for_missions(const scenario::Scenario& scenario, const See& see) {
-  const auto look = [&](const std::vector<Action>& actions) {
-    for (const Action& action : actions) {
-      if (const auto* sent = std::get_if<SendMission>(&action)) see(*sent);
-    }
-  };
-  for (const auto& step : scenario.ground.script.steps) look(step.actions);
-  for (const auto& one : scenario.ground.script.operators) look(one.actions);
-}
 
 /// A mission that was evaluated and then given, goals and all.
 struct Given {
@@ -41,7 +30,7 @@ struct Given {
 const SendMission* sent_with(const scenario::Scenario& scenario, const Uav& uav,
                              std::int64_t mission, const SendMission* not_this) {
   const SendMission* result = nullptr;
-  for_missions(scenario, [&](const SendMission& sent) {
+  for_scripted<SendMission>(scenario, [&](const SendMission& sent) {
     if (sent.uav != uav.name() || &sent == not_this) return;
     if (static_cast<std::int64_t>(sent.mission.id.value()) == mission) result = &sent;
   });

@@ -2,7 +2,9 @@
 // One motion at a time, and none under a task of another goal that holds the vehicle.
 #include <algorithm>
 #include <map>
+#include <set>
 
+#include "by_hand.hpp"
 #include "checks.hpp"
 
 namespace skein::laws {
@@ -15,9 +17,12 @@ std::string named(const Uav& uav, std::int64_t task, const std::string& type) {
          (goal == 0 ? " of no goal" : " of goal " + std::to_string(goal));
 }
 
-// What the vehicle refused because it does something else.
-void refused_at_once(const Uav& uav, std::vector<Violation>& result) {
+// What the vehicle refused because it does something else. Operators may ask for what cannot be,
+// and send it elsewhere at any moment.
+void refused_at_once(const History& history, const Uav& uav, std::vector<Violation>& result) {
+  const std::set<std::int64_t> by_hand = given_by_hand(history, uav);
   for (const Activity& one : uav.activities) {
+    if (by_hand.contains(one.task) || does_by_hand(history, uav, one.from)) continue;
     const bool busy = one.reason.find("is still active") != std::string::npos ||
                       one.reason.find("is in use by") != std::string::npos;
     if (!busy) continue;
@@ -52,7 +57,7 @@ void overlapping(const Uav& uav, std::vector<Violation>& result) {
   std::stable_sort(motions.begin(), motions.end(),
                    [](const auto* a, const auto* b) { return a->taken < b->taken; });
   for (const Execution* one : motions) {
-    if (last != nullptr && on_board(one) && on_board(last) &&
+    if (last != nullptr && on_board(one) && on_board(last) && begun(uav, *last) != kNever &&
         begun(uav, *one) + kMoment < last->over) {
       result.push_back({"", one->taken, uav.name(), uav.goal_of_task(one->task),
                         named(uav, one->task, one->type) + " begins while " +
@@ -68,7 +73,7 @@ std::vector<Violation> motions_at_once(const History& history) {
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
     if (history.was_killed(name)) continue;
-    refused_at_once(uav, result);
+    refused_at_once(history, uav, result);
     // Of a functional layer that is dead for a while nobody knows what it ended.
     if (!history.dead.contains("sim")) overlapping(uav, result);
   }

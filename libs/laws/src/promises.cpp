@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "by_hand.hpp"
 #include "checks.hpp"
 
 namespace skein::laws {
@@ -97,20 +98,25 @@ namespace {
 // A takeshot rides along with something else: by itself it is no work.
 bool rides_along(const Execution& task) { return task.type == "takeshot"; }
 
-bool works_at(const Uav& uav, double at) {
+bool works_at(const History& history, const Uav& uav, double at) {
+  const std::set<std::int64_t> by_hand = given_by_hand(history, uav);
   return std::any_of(uav.executions.begin(), uav.executions.end(), [&](const auto& one) {
     const Execution& task = one.second;
-    return task.under_way(at) && !rides_along(task) && uav.goal_of_task(one.first) != 0;
+    const bool meant = uav.goal_of_task(one.first) != 0 || by_hand.contains(one.first);
+    return task.under_way(at) && !rides_along(task) && meant;
   });
 }
 
-/// When it last was at work for a goal, or was told something; the start of the run if never.
-double last_work(const Uav& uav, double end) {
+/// When it last was at work for a goal or its operator, or was told something; the start of the run
+/// if never.
+double last_work(const History& history, const Uav& uav) {
   double last = 0;
   for (const auto& [task, one] : uav.executions) {
     if (uav.goal_of_task(task) != 0 && one.started != kNever && !rides_along(one))
-      last = std::max(last, std::min(one.over, end));
+      last = std::max(last, std::min(one.over, history.end));
   }
+  for (const Activity* one : carried_out_by_hand(history, uav))
+    last = std::max(last, std::min(one->until, history.end));
   for (const auto& [id, goal] : uav.goals) last = std::max(last, goal.received());
   for (const auto& [from, degree] : uav.degrees) last = std::max(last, from);
   return last;
@@ -143,25 +149,6 @@ bool is_the_grounds(const Uav& uav, const Goal& goal) {
 }
 
 }  // namespace
-
-std::vector<Violation> goals_without_end(const History& history) {
-  constexpr double kPatience = 90;  // [s] without any work for any goal
-  std::vector<Violation> result;
-  for (const auto& [name, uav] : history.uavs) {
-    const bool judged = !history.was_killed(name) && uav.degree(history.end) >= 4;
-    if (!judged || works_at(uav, history.end)) continue;
-    const double idle_since = std::max(last_work(uav, history.end), not_before(uav));
-    if (history.end - idle_since < kPatience) continue;
-    for (const auto& [id, goal] : uav.goals) {
-      if (goal.settled() || is_the_grounds(uav, goal)) continue;
-      result.push_back({"", history.end, name, id,
-                        mission::to_text(goal.task) + " is " + goal.state() +
-                            " at the end, and nothing was done for any goal since " +
-                            figure(idle_since) + " s"});
-    }
-  }
-  return result;
-}
 
 namespace {
 
@@ -200,7 +187,38 @@ bool named(const Uav& uav, const std::set<std::int64_t>& goals, double from, dou
   });
 }
 
+// What an operator gave it may not begin yet, and the plan waits for it.
+bool waits_behind_hand(const History& history, const Uav& uav) {
+  const std::set<std::int64_t> by_hand = given_by_hand(history, uav);
+  return std::any_of(uav.executions.begin(), uav.executions.end(), [&](const auto& one) {
+    return by_hand.contains(one.first) && one.second.state == "scheduled";
+  });
+}
+
 }  // namespace
+
+std::vector<Violation> goals_without_end(const History& history) {
+  constexpr double kPatience = 90;  // [s] without any work for any goal
+  constexpr double kSoon = 10;      // [s]
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    const bool judged = !history.was_killed(name) && uav.degree(history.end) >= 4;
+    if (!judged || works_at(history, uav, history.end)) continue;
+    const double idle_since = std::max(last_work(history, uav), not_before(uav));
+    if (history.end - idle_since < kPatience) continue;
+    const bool told = waits_behind_hand(history, uav) &&
+                      named(uav, open_goals(uav, history.end), idle_since - kSoon, history.end);
+    if (told) continue;
+    for (const auto& [id, goal] : uav.goals) {
+      if (goal.settled() || is_the_grounds(uav, goal)) continue;
+      result.push_back({"", history.end, name, id,
+                        mission::to_text(goal.task) + " is " + goal.state() +
+                            " at the end, and nothing was done for any goal since " +
+                            figure(idle_since) + " s"});
+    }
+  }
+  return result;
+}
 
 // With goals that are not settled, a UAV in the air works for one or says, naming one, why not.
 std::vector<Violation> idle_without_word(const History& history) {
@@ -214,7 +232,7 @@ std::vector<Violation> idle_without_word(const History& history) {
     for (const Sample& sample : uav.samples) {
       const std::set<std::int64_t> open = open_goals(uav, sample.at);
       const bool idle = sample.airborne && uav.degree(sample.at) >= 4 && !open.empty() &&
-                        !occupied(uav, sample.at);
+                        !occupied(uav, sample.at) && !does_by_hand(history, uav, sample.at);
       if (!idle) {
         since.reset();
         meant.clear();

@@ -35,7 +35,7 @@ class Checker {
       if (record.at() < last_) breach(record, "time goes back");
       const bool read =
           journal::hand_on<lines::Task, lines::Degree, lines::Command, lines::Sync, lines::Message,
-                           lines::Link, lines::Route, lines::Fault>(record, *this);
+                           lines::Link, lines::Route, lines::Fault, lines::Unsent>(record, *this);
       if (!read) breach(record, "a line lacks what one of its kind must have");
       last_ = record.at();
     }
@@ -114,6 +114,11 @@ class Checker {
 
   void hear(const lines::Route& line, const Written&) {
     if (!line.via.empty()) relays_.insert(line.via);
+  }
+
+  void hear(const lines::Unsent& line, const Written& when) {
+    const bool is_wrong = line.why == "malformed" || line.why == "too long";
+    if (is_wrong) breach(when.record, "a node has something to say that the wire does not take");
   }
 
   // As long as there is no simulator, its radio stays as it was.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "by_hand.hpp"
 #include "checks.hpp"
 #include "skein/world/segment.hpp"
 
@@ -90,7 +91,7 @@ std::vector<Violation> in_closed_air(const History& history) {
             stay.from <= closing.known + kNoChoice || climbed_then(uav, stay.from, closing.known);
         const double allowed = caught ? time_to_leave(uav, stay.deepest) : 0;
         const bool short_enough = caught && stay.until - stay.from <= allowed;
-        if (short_enough) continue;
+        if (short_enough || was_left_by_hand(history, uav, stay.from)) continue;
         const std::string where =
             "'" + closing.volume.name + "', closed since " + figure(closing.known) + " s";
         result.push_back(

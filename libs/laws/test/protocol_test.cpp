@@ -45,6 +45,10 @@ Record link_of(double seconds, const char* from, const char* to, bool up) {
   return record_of(at(seconds), "sim", lines::Link{.from = from, .to = to, .up = up});
 }
 Record link(double seconds, bool up) { return link_of(seconds, "ground", "marvin", up); }
+Record unsent(double seconds, const char* why) {
+  return record_of(at(seconds), "marvin",
+                   lines::Unsent{.slot = "TaskEvent", .to = "ground", .why = why});
+}
 Record fault(double seconds, const char* what, const char* node) {
   return record_of(at(seconds), "runner", lines::Fault{.what = what, .target = node});
 }
@@ -79,6 +83,10 @@ TEST(JournalLaws, AnOrdinaryLifeBreaksNone) {
       sync(8, "received"),  message(9, 1, "sent"), message(9.1, 1, "received")};
 
   EXPECT_THAT(broken_protocol(log), IsEmpty());
+}
+
+TEST(JournalLaws, WhatIsNotSentForWantOfAChannelIsNoBreach) {
+  EXPECT_THAT(broken_protocol({unsent(1, "no channel to there for this slot")}), IsEmpty());
 }
 
 TEST(JournalLaws, AMessageMayComePastARelayThatWasToldOf) {
@@ -147,6 +155,8 @@ INSTANTIATE_TEST_SUITE_P(
                {message(1, 1, "sent"), message(1, 2, "sent"), message(2, 2, "received"),
                 message(3, 1, "received")},
                "twice or late"},
+        Breach{"malformed", {unsent(1, "malformed")}, "does not take"},
+        Breach{"too_long", {unsent(1, "too long")}, "does not take"},
         Breach{"message_over_a_cut",
                {message(1, 1, "sent"), link(2, false), message(4, 1, "received")},
                "a link that is down"}),

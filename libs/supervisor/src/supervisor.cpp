@@ -149,6 +149,7 @@ std::optional<MissionTime> Supervisor::Core::next_wakeup() const {
   };
   count(hand_over_.next_wakeup());
   count(safe_mode_.paused_until());
+  count(safe_mode_.tells_at());
   count(committer_.end_of_safe_wait());
   if (agenda_.needed()) count(agenda_.needed()->not_before);
   count(air_.next_closing());

@@ -35,7 +35,7 @@ struct Options {
   std::string save, consistency;
   bool clean = false, deaths = false, team = false, crossing = false, merged = false,
        unmerged = false, meetings = false, orders = false, gatherings = false, robots = false,
-       relays = false, fires = false, mixed = false, json = false, minimise = false,
+       relays = false, fires = false, hands = false, mixed = false, json = false, minimise = false,
        verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
@@ -66,6 +66,7 @@ Mission drawn_as_kind(std::uint64_t seed, const Options& options) {
   if (options.meetings) return generate_meetings(seed, kinds_of(options));
   if (options.relays) return generate_relays(seed, kinds_of(options));
   if (options.fires) return generate_fires(seed, kinds_of(options));
+  if (options.hands) return generate_orders(seed, kinds_of(options));
   if (options.mixed) return generate_mixed(seed, kinds_of(options));
   if (options.robots) return generate_robots(seed, kinds_of(options));
   if (options.crossing) return generate_crossing(seed, kinds_of(options));
@@ -196,12 +197,14 @@ void declare(CLI::App& app, Options& options) {
       app.add_flag("--relays", options.relays, "some of the UAVs are heard past relays alone");
   auto* fires =
       app.add_flag("--fires", options.fires, "fires spread, and their fronts are followed");
+  auto* hands = app.add_flag("--hands", options.hands,
+                             "operators give elementary tasks, wrong ones too, at degrees 1 to 3");
   auto* mixed =
       app.add_flag("--mixed", options.mixed,
                    "all of it in one mission: a team, others at degree 4, vehicles on the "
                    "ground, relays, fires, operators");
-  for (auto* one : {team, crossing, meetings, robots, relays, fires})
-    for (auto* other : {crossing, meetings, robots, relays, fires, mixed})
+  for (auto* one : {team, crossing, meetings, robots, relays, fires, hands})
+    for (auto* other : {crossing, meetings, robots, relays, fires, hands, mixed})
       if (one != other) one->excludes(other);
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")

@@ -54,7 +54,7 @@ TEST_P(DeathsOfDaemons, AreAddedToTheSameMission) {
 INSTANTIATE_TEST_SUITE_P(Missions, DeathsOfDaemons,
                          ::testing::Values(generate, generate_crossing, generate_meetings,
                                            generate_robots, generate_relays, generate_fires,
-                                           generate_mixed));
+                                           generate_orders, generate_mixed));
 
 TEST(Generate, CrossingMissionsAreScenariosInWhichSomeUavsShareAPad) {
   int shared = 0;
@@ -156,6 +156,22 @@ TEST(Generate, RobotsAreInEachMissionThatIsToHaveThemAndAreOfBothKinds) {
   }
   EXPECT_GT(wheeled, 10);
   EXPECT_GT(tracked, 10);
+}
+
+TEST(Generate, OperatorsGiveTasksOfAllKindsAndWrongOnesAtAllDegreesButTheLast) {
+  std::string all;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const std::string text = to_yaml(generate_orders(seed, {}), "..");
+    EXPECT_EQ(to_yaml(generate_orders(seed, {}), ".."), text);
+    all += text;
+  }
+  for (const char* word :
+       {"degree: 1}",        "degree: 2}", "degree: 3}",     "{merge: true}",  "type: takeoff",
+        "type: land",        "type: wait", "type: perceive", "type: takeshot", "type: rendezvous",
+        "type: synchronise", "mode: VUT",  "mode: SEQ",      "mode: NUT",      "pre: [[",
+        "exit: [[",          "5000]",      "-30]",           "[99000,",        "take_in_hand",
+        "give_back",         "abort: {",   "update: {",      "message: {",     "close_air"})
+    EXPECT_THAT(all, HasSubstr(word));
 }
 
 TEST(Generate, InMissionsWithRelaysTheLastUavNeverHearsTheGroundStation) {

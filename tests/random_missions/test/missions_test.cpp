@@ -142,6 +142,18 @@ TEST(RandomMissions, OfAllOfItAtOnceKeepTheLawsTheyBrokeOnce) {
   EXPECT_EQ(breaches(kClean, 1, generate_mixed, 2057), "");
 }
 
+// Operators fly them by elementary tasks, wrong ones too.
+TEST(RandomMissions, VehiclesThatOperatorsFlyByHandKeepTheLaws) {
+  EXPECT_EQ(breaches({}, missions() / 2, generate_orders), "");
+}
+
+// Left behind for a plan to wait for (169, 781); landed while it got out of the way (682); refused
+// with a reason that was there no more (all with a wrong order and ways that are merged).
+TEST(RandomMissions, VehiclesThatOperatorsFlyByHandKeepTheLawsTheyBrokeOnce) {
+  for (const std::uint64_t seed : {169, 682, 771, 781})
+    EXPECT_EQ(breaches({}, 1, generate_orders, seed), "") << seed;
+}
+
 // Two to six vehicles, some of which keep to the ground.
 TEST(RandomMissions, RobotsOnTheGroundKeepTheLaws) {
   EXPECT_EQ(breaches(kClean, missions() / 5, generate_robots), "");

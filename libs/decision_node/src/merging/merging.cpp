@@ -40,12 +40,14 @@ bool is_of_role(const functional::Request& request) {
 }
 
 /// A takeoff or a way of the plan's that something else could come before, or somebody else could
-/// do; not that of a goal which lands.
-bool is_of_plan(Core& core, const functional::Request& request) {
-  const bool may_wait = request.type == "goto" || request.type == "takeoff";
-  if (!may_wait || !mission::deliberates(core.degree())) return false;
+/// do; not that of a goal which lands. Also one that an operator had asked for before the UAV
+/// planned for itself: the plan waits behind it.
+bool may_be_given_up(Core& core, const functional::Request& request) {
+  const bool moves = request.type == "goto" || request.type == "takeoff";
+  if (!moves || !mission::deliberates(core.degree()) || !core.deliberation().possible())
+    return false;
   const mission::GoalId goal = core.deliberation().origin_of(request.id);
-  if (goal == mission::GoalId() || !core.deliberation().possible()) return false;
+  if (goal == mission::GoalId()) return request.id < functional::kFirstPlayedId;
   const auto& tasks = core.deliberation().report().tasks;
   return std::none_of(tasks.begin(), tasks.end(), [&](const mission::PlannedTask& one) {
     return one.task.origin == goal && one.task.type == "land";
@@ -55,7 +57,7 @@ bool is_of_plan(Core& core, const functional::Request& request) {
 /// How long it waits before it is given up; nothing: for good.
 std::optional<Duration> longest_wait(Core& core, const functional::Request& request) {
   if (is_of_role(request)) return kRoleWaits;
-  return is_of_plan(core, request) ? std::optional(kPlanWaits) : std::nullopt;
+  return may_be_given_up(core, request) ? std::optional(kPlanWaits) : std::nullopt;
 }
 
 /// Nothing is looked at on the way. A role of a joint task asks for its heights; over whoever stays
@@ -101,13 +103,14 @@ bool Merging::takes(const functional::Request& request) {
     say_it_has_begun();
     return true;
   }
-  const bool once_there = flown_ && flown_->is_waited_for_by(request);
-  if (!needs_air(request) && !once_there && !is_to_come_back(request)) return false;
-  if (waiting_) {
+  // The vehicle cannot tell: it was not given the other yet.
+  if (waiting_ && functional::TaskTypes::shipped().of(request.type).holds_vehicle()) {
     core_.post_status({request.id, functional::TaskState::kAborted,
                        "another motion waits for its air: " + waiting_->request.type});
     return true;
   }
+  const bool once_there = flown_ && flown_->is_waited_for_by(request);
+  if (!needs_air(request) && !once_there && !is_to_come_back(request)) return false;
   waiting_.emplace();
   waiting_->request = request;
   waiting_->since = waiting_->said = core_.bus().now();
@@ -168,14 +171,19 @@ void Merging::ask() {
   auto airways =
       airways_of(waiting_->request, at_any_height(core_, waiting_->request, waiting_->asked_long),
                  *core_.config().merging, situation());
-  if (!airways) {
-    waiting_->why_not = airways.error().why;
-    return;
-  }
+  if (!airways) return cannot_fly(airways.error().why);
   for (Airway& home : home_.flights(waiting_->request, rest_)) airways->push_back(std::move(home));
   waiting_->why_not.clear();
   waiting_->aside_since.reset();
   want(std::move(*airways));
+}
+
+/// Perhaps the vehicle is not what it was thought to be: it is looked at once more.
+void Merging::cannot_fly(const std::string& why) {
+  waiting_->why_not = why;
+  waiting_->airways.clear();
+  waiting_->aside_since.reset();
+  give(merging::Withdraw{});
 }
 
 void Merging::want(Airways airways, merging::Volumes afterwards) {
@@ -197,10 +205,10 @@ merging::Volumes Merging::air_at(const world::Vector3& place) const {
   return airways && !airways->empty() ? airways->front().air : merging::Volumes();
 }
 
-void Merging::refuse(const std::string& why, functional::AbortCause cause) {
+void Merging::refuse(std::string why, functional::AbortCause cause) {
   const functional::TaskId task = waiting_->request.id;
   stop_waiting();
-  core_.post_status({task, functional::TaskState::kAborted, why, cause});
+  core_.post_status({task, functional::TaskState::kAborted, std::move(why), cause});
 }
 
 void Merging::begin(const Airway& airway, const std::string& state) {

@@ -97,8 +97,8 @@ class Merging final : public Component {
   void note_waits();
   void say_it_waits();
   void say_it_has_begun();
-  void refuse(const std::string& why,
-              functional::AbortCause cause = functional::AbortCause::kOther);
+  void cannot_fly(const std::string& why);
+  void refuse(std::string why, functional::AbortCause cause = functional::AbortCause::kOther);
   void come_to_rest();
   void hold();
   void tell_orders();

@@ -124,12 +124,16 @@ class MergedTeam {
       for (const auto& [to, told] : messages)
         if (!cut_.contains({told.from, to}) && !cut_.contains({to, told.from})) hear(to, told);
       for (const std::string& name : names_) fly(name);
-      for (const std::string& name : names_) {
-        const auto wakeup = uavs_[name].node->next_wakeup();
-        if (wakeup && *wakeup <= now_) give(name, Tick{});
-      }
+      for (const std::string& name : names_) wake(name);
     }
   }
+
+  /// How often vehicles say where they are [0.1 s].
+  void tell_every(int tenths) { telemetry_tenths_ = tenths; }
+  /// It is on the ground from now on, and aborts whatever it is given.
+  void put_down(const std::string& uav) { uavs_[uav].is_put_down = true; }
+  /// Who asked to be woken at one instant again and again.
+  const std::set<std::string>& restless() const { return restless_; }
 
   void cut(const std::string& one, const std::string& other) {
     cut_.insert({one, other});
@@ -170,6 +174,8 @@ class MergedTeam {
     std::vector<functional::Status> passed;
     double highest = 0;
     bool stopped = false;  ///< in what it flies
+    bool is_put_down = false;
+    int flown = 0;  ///< [0.1 s]
   };
 
   static std::shared_ptr<const world::Terrain> level_ground() {
@@ -177,6 +183,16 @@ class MergedTeam {
     spec.west = spec.south = -1000;
     spec.east = spec.north = 1000;
     return std::make_shared<world::Terrain>(spec);
+  }
+
+  void wake(const std::string& name) {
+    constexpr int kMost = 20;
+    for (int times = 0; times < kMost; ++times) {
+      const auto wakeup = uavs_[name].node->next_wakeup();
+      if (!wakeup || *wakeup > now_) return;
+      give(name, Tick{});
+    }
+    restless_.insert(name);
   }
 
   void hear(const std::string& to, const MergeTold& told) {
@@ -228,6 +244,11 @@ class MergedTeam {
     Uav& uav = uavs_[name];
     Vector3& at = uav.state.position;
     const Vector3 before = at;
+    if (uav.is_put_down) {
+      at.z() = 0;
+      uav.way.clear();
+      uav.stopped = true;
+    }
     if (!uav.way.empty()) {
       const Vector3 to = uav.way.front() - at;
       at = to.norm() <= 1 ? uav.way.front() : Vector3(at + to.normalized());
@@ -236,7 +257,8 @@ class MergedTeam {
     uav.state.velocity = 10 * (at - before);
     uav.state.airborne = at.z() > 0.1;
     uav.highest = std::max(uav.highest, at.z());
-    give(name, world::Telemetry{name, uav.state, now_, {}});
+    if (++uav.flown % telemetry_tenths_ == 0)
+      give(name, world::Telemetry{name, uav.state, now_, {}});
     if (!uav.task || !uav.way.empty()) return;
     const functional::TaskId id = std::exchange(uav.task, std::nullopt)->id;
     give(name, StatusTold{{id, functional::TaskState::kRunning, ""}});
@@ -248,6 +270,8 @@ class MergedTeam {
   static constexpr const char* kGround = "ground";
   std::vector<std::string> names_;
   merging::Witness witness_{{}};
+  std::set<std::string> restless_;
+  int telemetry_tenths_ = 1;
   std::map<std::string, Uav> uavs_;
   std::vector<std::pair<std::string, MergeTold>> radio_;
   std::set<std::pair<std::string, std::string>> cut_;

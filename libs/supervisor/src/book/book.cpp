@@ -242,6 +242,25 @@ bool Book::has_occupation(MissionTime soon) const {
          });
 }
 
+std::optional<TaskId> Book::in_the_way() const {
+  const auto busy = [](const auto& one) {
+    const Entry& entry = one.second;
+    return entry.given() && entry.seen.started && !entry.over() && holds_vehicle(entry.task);
+  };
+  const auto goes_on = [](const auto& one) {
+    return one.second.holds_vehicle && (one.second.ours || one.second.begun);
+  };
+  if (std::any_of(tasks.begin(), tasks.end(), busy)) return std::nullopt;
+  if (std::any_of(loose.begin(), loose.end(), goes_on)) return std::nullopt;
+  const auto first = std::find_if(loose.begin(), loose.end(),
+                                  [](const auto& one) { return one.second.holds_vehicle; });
+  const bool waits = std::any_of(tasks.begin(), tasks.end(), [&](const auto& one) {
+    const Entry& entry = one.second;
+    return entry.given() && !entry.over() && !entry.seen.started && is_due(entry);
+  });
+  return first != loose.end() && waits ? std::optional(first->first) : std::nullopt;
+}
+
 bool Book::stops_landing() const {
   return std::any_of(tasks.begin(), tasks.end(), [](const auto& one) {
     const Entry& entry = one.second;
@@ -266,7 +285,7 @@ std::string Book::named(GoalId goal) const {
 TaskId Book::add_loose(const std::string& type) {
   const TaskId id = next_id;
   next_id = TaskId(id.value() + 1);
-  loose[id] = {type, true, true, false, false};
+  loose[id] = {.type = type, .ours = true, .holds_vehicle = true};
   return id;
 }
 

@@ -43,6 +43,7 @@ struct Loose {
   bool holds_vehicle = false;
   bool stopping = false;  ///< told to by us
   bool ran = false;       ///< the vehicle took it
+  bool begun = false;     ///< its executive started it
 };
 
 /// True for a task whose way to end is being told so: it never counts as ended for the executive.
@@ -106,6 +107,9 @@ class Book {
   /// Something that is to go on is under way, or moves or holds the vehicle and begins by `soon`,
   /// as far as is known: what it hovers, or circles, for.
   bool has_occupation(MissionTime soon) const;
+  /// While nothing that holds the vehicle is under way: a task of others that may not begin yet and
+  /// that the plan waits for.
+  std::optional<TaskId> in_the_way() const;
   /// A landing was stopped and is not over: too low, it goes on to the ground.
   bool stops_landing() const;
   /// A safe wait goes on.

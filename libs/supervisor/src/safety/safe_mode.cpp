@@ -25,7 +25,34 @@ void SafeMode::tell(const std::string& what) {
   told_ = true;
 }
 
+// Nobody here knows what that one waits for. What begins in this instant is not in the way.
+void SafeMode::tell_what_is_in_the_way() {
+  const std::optional<TaskId> first = book_.in_the_way();
+  if (first != in_the_way_) {
+    in_the_way_ = first;
+    in_the_way_since_ = now();
+    told_in_the_way_ = false;
+  }
+  const auto at = tells_at();
+  if (!at || now() < *at) return;
+  told_in_the_way_ = true;
+  const auto goal = std::find_if(book_.order.begin(), book_.order.end(), [&](GoalId id) {
+    const Goal& one = book_.goals.at(id);
+    return !is_settled(one.state) && one.state != GoalState::kHandedOver && !one.queued;
+  });
+  if (goal == book_.order.end()) return;
+  out_.notice(book_.named(*goal) + " waits for task " + to_text(*first) + " (" +
+              book_.loose.at(*first).type +
+              "), which was given to its executive and may not begin yet");
+}
+
+std::optional<MissionTime> SafeMode::tells_at() const {
+  const bool waits = in_the_way_.has_value() && !told_in_the_way_;
+  return waits ? std::optional(in_the_way_since_ + kPause) : std::nullopt;
+}
+
 void SafeMode::keep() {
+  tell_what_is_in_the_way();
   if (const auto end = committer_.end_of_safe_wait(); end && *end <= now()) {
     committer_.stop_safe_waits();
   }

@@ -25,12 +25,15 @@ class SafeMode {
   void hurry() { again_.reset(); }
   bool pauses() const { return again_ && out_.now() < *again_; }
   std::optional<MissionTime> paused_until() const { return again_; }
+  /// When it is to be said what the plan waits for.
+  std::optional<MissionTime> tells_at() const;
   /// What was said of a UAV without a task is said again.
   void forget_told() { told_ = false; }
 
  private:
   MissionTime now() const { return out_.now(); }
   void tell(const std::string& what);
+  void tell_what_is_in_the_way();
   std::string why_idle() const;
   std::string begins_from(GoalId id) const;
 
@@ -41,6 +44,9 @@ class SafeMode {
   Outbox& out_;
   const Book& book_;
   bool told_ = false;                 ///< that it flies and has nothing to do
+  std::optional<TaskId> in_the_way_;  ///< a task of others that the plan waits for
+  MissionTime in_the_way_since_;
+  bool told_in_the_way_ = false;
   std::optional<MissionTime> again_;  ///< no safe wait before
 };
 

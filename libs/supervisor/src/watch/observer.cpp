@@ -91,12 +91,11 @@ void Observer::see_loose(const executive::TaskEvent& event) {
   }
   const auto known = book_.loose.find(event.id);
   if (!is_terminal(event.state)) {
-    if (known != book_.loose.end()) {
-      known->second.ran = known->second.ran || event.state == TaskState::kRunning;
-      return;
-    }
     const bool holds = functional::TaskTypes::shipped().of(event.type).holds_vehicle();
-    book_.loose[event.id] = {event.type, false, holds, false, false};
+    Loose& one = known != book_.loose.end() ? known->second : book_.loose[event.id];
+    if (known == book_.loose.end()) one = {.type = event.type, .holds_vehicle = holds};
+    one.begun = one.begun || event.state != TaskState::kScheduled;
+    one.ran = one.ran || event.state == TaskState::kRunning;
     return;
   }
   if (known == book_.loose.end()) return;

@@ -92,6 +92,27 @@ TEST(SafeMode, OneThatWasNeverGivenAnythingIsOnlySpokenOf) {
               ElementsAre("in the air without a task: no mission was given to it"));
 }
 
+// Found by random missions of operators' orders: it waited for a message that never came.
+TEST(SafeMode, SaysThatItsPlanWaitsForWhatAnOperatorLeftBehind) {
+  Idle rooms;
+  rooms.goals({702}).plan({TaskOf(200, "goto", 702)}).gave({200});
+  rooms.book.loose[TaskId(7)] = {.type = "goto", .holds_vehicle = true};
+  EXPECT_THAT(rooms.said(), IsEmpty()) << "it may begin in this instant";
+  rooms.at(20);
+  EXPECT_THAT(rooms.said(), ElementsAre(HasSubstr("goal 702 (go 1) waits for task 7 (goto)")));
+  rooms.at(30);
+  EXPECT_THAT(rooms.said(), IsEmpty());
+}
+
+TEST(SafeMode, SaysNothingOfWhatAnOperatorPutBehindThePlan) {
+  Idle rooms;
+  rooms.goals({702}).plan({TaskOf(200, "goto", 702)}).gave({200});
+  rooms.book.loose[TaskId(7)] = {.type = "goto", .holds_vehicle = true};
+  EXPECT_THAT(rooms.said(), IsEmpty());
+  rooms.started(200).at(20);
+  EXPECT_THAT(rooms.said(), IsEmpty());
+}
+
 TEST(SafeMode, AShortPauseBeforeWhatTheExecutiveHasIsSaidButNotFilled) {
   Idle rooms;
   rooms.goals({702}).plan({TaskOf(200, "goto", 702).starts_after(25)});

@@ -19,6 +19,7 @@ namespace skein::laws {
 ///   delivered before;
 /// - synchronisation: nothing is received that was not sent before;
 /// - messages: each is received at most once, in the order of its sequence, after it was sent;
+/// - samples: none breaks the rules of the wire, none is too long for it;
 /// - links: nothing is received over a link that has been down for more than a moment, unless there
 ///   is a way past nodes that `route` lines have named before.
 std::vector<std::string> broken_protocol(const std::vector<journal::Record>& records,

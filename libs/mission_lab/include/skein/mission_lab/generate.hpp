@@ -55,6 +55,11 @@ Mission generate_relays(std::uint64_t seed, const Kinds& kinds);
 /// fronts, which the ground station follows, map and search the ground around, and two of them may
 /// watch a front jointly. Of the kinds, joint, alarms, radio, faults and deaths count.
 Mission generate_fires(std::uint64_t seed, const Kinds& kinds);
+/// Likewise one to four vehicles at degrees 1 to 3 that their operators fly by elementary tasks, at
+/// times wrongly: before takeoff, under the ground, with conditions that never come true; they take
+/// them in hand, change degrees, abort. Ways are merged in some. Of the kinds, changes (errors),
+/// air, alarms, degrees, radio, faults, deaths and merged count.
+Mission generate_orders(std::uint64_t seed, const Kinds& kinds);
 /// All of it at once: three to seven vehicles in the air and on the ground, some at degree 5 with a
 /// global mission, the others at 4 with missions of their own, meetings and joint tasks, over fires
 /// that spread, past relays, with ways that are merged or not, while operators take vehicles in

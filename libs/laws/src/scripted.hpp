@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the ground's script does, and its operators.
+#pragma once
+
+#include <variant>
+
+#include "skein/scenario/scenario.hpp"
+
+namespace skein::laws {
+
+/// Each action of that type, in the order of the file.
+template <class Wanted, class See>
+void for_scripted(const scenario::Scenario& scenario, const See& see) {
+  const auto look = [&](const auto& steps) {
+    for (const auto& step : steps)
+      for (const ground_station::Action& action : step.actions)
+        if (const auto* one = std::get_if<Wanted>(&action)) see(*one);
+  };
+  look(scenario.ground.script.steps);
+  look(scenario.ground.script.operators);
+}
+
+}  // namespace skein::laws
