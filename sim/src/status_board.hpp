@@ -2,11 +2,10 @@
 // The statuses that one vehicle gives of its tasks.
 #pragma once
 
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "skein/functional/status_memory.hpp"
 #include "skein/sim/messages.hpp"
 
 namespace skein::sim {
@@ -23,22 +22,23 @@ class StatusBoard {
   void tell(TaskId task, TaskState state, std::string reason, MissionTime at,
             std::vector<Effect>& effects) {
     functional::Status status{task, state, std::move(reason)};
-    effects.push_back(FunctionalStatus{uav_, status, at});
-    last_.insert_or_assign(task, std::move(status));
+    told_.set(status);
+    effects.push_back(FunctionalStatus{uav_, std::move(status), at});
   }
   /// A task not begun yet, waiting for its pilot: known, though nothing was told.
-  void note(TaskId task) { last_.try_emplace(task); }
-  bool knows(TaskId task) const { return last_.count(task) > 0; }
+  void note(TaskId task) { told_.note(task); }
+  bool knows(TaskId task) const { return told_.knows(task); }
   /// Tells again what was told last of a known task, if anything was.
   void repeat(TaskId task, MissionTime at, std::vector<Effect>& effects) const {
-    if (const auto& status = last_.at(task)) effects.push_back(FunctionalStatus{uav_, *status, at});
+    if (const auto status = told_.last(task))
+      effects.push_back(FunctionalStatus{uav_, *status, at});
   }
-  void forget() { last_.clear(); }
+  void forget() { told_.forget(); }
   const std::string& uav() const { return uav_; }
 
  private:
   std::string uav_;
-  std::map<TaskId, std::optional<functional::Status>> last_;
+  functional::StatusMemory told_;
 };
 
 }  // namespace skein::sim

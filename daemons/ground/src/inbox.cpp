@@ -130,6 +130,7 @@ std::optional<journal::Record> Inbox::refuse(const node::Received& received,
 
 void Inbox::sent(std::uint64_t command, node::NodeNumber addressee) {
   addressees_.insert_or_assign(command, addressee);
+  if (addressees_.size() > kAddressees) addressees_.erase(addressees_.begin());
 }
 
 bool Inbox::is_uav(node::NodeNumber number) const {

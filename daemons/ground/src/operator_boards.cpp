@@ -69,7 +69,7 @@ wire::UavBoard board_of(const gs::UavOnBoard& uav, std::size_t held, const gs::H
 // All that are open, and of the others those that changed last; by id.
 std::vector<wire::BoardTask> tasks_of(const gs::TaskBoard& board) {
   std::vector<const gs::TaskOnBoard*> told = board.last_over(OperatorBoards::kTasksOver);
-  for (const executive::TaskId id : board.open()) told.push_back(board.find(id));
+  for (const executive::TaskId id : board.open()) told.push_back(board.kept(id));
   std::sort(told.begin(), told.end(), [](const auto* a, const auto* b) { return a->id < b->id; });
   std::vector<wire::BoardTask> tasks;
   for (const gs::TaskOnBoard* task : told) {

@@ -71,6 +71,17 @@ TEST_F(AnInbox, TakesTheAnswerToACommandFromItsAddresseeOnly) {
   EXPECT_FALSE(read(number("marvin"), reply).input) << "the number was given anew";
 }
 
+TEST_F(AnInbox, KnowsTheAddresseesOfTheLastCommands) {
+  for (std::uint64_t command = 1; command <= 3 * Inbox::kAddressees; ++command)
+    inbox.sent(command, number("marvin"));
+  wire::RequestReply reply;
+  reply.command = 2 * Inbox::kAddressees + 1;
+
+  EXPECT_FALSE(read(number("heliv"), reply).input);
+  reply.command = 1;
+  EXPECT_TRUE(read(number("heliv"), reply).input) << "nobody waits for it any more";
+}
+
 TEST_F(AnInbox, TakesRequestsOfOperatorsFromNobodyElse) {
   wire::OperatorRequest request;
   request.who = "ada";

@@ -39,30 +39,57 @@ journal::Record telemetry_line(MissionTime at, const std::string& node, const st
 
 void FunctionalLines::note(const std::string& uav, const functional::Request& asked) {
   if (asked.verb != functional::Verb::kDispatch) return;
-  Asked task;
+  Asked& task = entry({uav, asked.id});
+  if (!task.type.empty()) return;
   task.type = asked.type;
   if (const auto* device = asked.parameters.find("device")) task.device = device->text;
   if (const auto* target = asked.parameters.find("target")) {
     task.target = journal::rounded(target->numbers);
   }
-  asked_.try_emplace({uav, asked.id}, std::move(task));
 }
 
 std::optional<journal::Record> FunctionalLines::line_of(MissionTime at, const std::string& node,
                                                         const std::string& uav,
                                                         const functional::Status& status) {
-  Asked& asked = asked_[{uav, status.id}];
-  const std::string state(to_text(status.state));
-  if (asked.told == state) return std::nullopt;
-  asked.told = state;
-  return journal::record_of(at, node,
-                            journal::lines::Functional{.uav = uav,
-                                                       .task = status.id.value(),
-                                                       .type = asked.type,
-                                                       .state = state,
-                                                       .device = asked.device,
-                                                       .target = asked.target,
-                                                       .reason = status.reason});
+  const Key key{uav, status.id};
+  Asked& asked = entry(key);
+  if (asked.told == status.state) return std::nullopt;
+  const bool was_over = asked.told && functional::is_terminal(*asked.told);
+  asked.told = status.state;
+  auto line =
+      journal::record_of(at, node,
+                         journal::lines::Functional{.uav = uav,
+                                                    .task = status.id.value(),
+                                                    .type = asked.type,
+                                                    .state = std::string(to_text(status.state)),
+                                                    .device = asked.device,
+                                                    .target = asked.target,
+                                                    .reason = status.reason});
+  if (!was_over && functional::is_terminal(status.state)) file(key);
+  return line;
+}
+
+/// What was let go comes back with its state, and so is not told again.
+FunctionalLines::Asked& FunctionalLines::entry(const Key& key) {
+  const auto [at, is_new] = asked_.try_emplace(key);
+  if (const std::uint8_t past = is_new ? past_[key.first].of(key.second.value()) : 0; past != 0) {
+    at->second.told = static_cast<functional::TaskState>(past - 1);
+    if (functional::is_terminal(*at->second.told)) file(key);
+  }
+  return at->second;
+}
+
+/// It is over: the oldest that is goes, if there are too many.
+void FunctionalLines::file(const Key& key) {
+  over_.push_back(key);
+  if (over_.size() <= kKept) return;
+  const auto oldest = asked_.find(over_.front());
+  over_.pop_front();
+  const bool is_over = oldest != asked_.end() && functional::is_terminal(*oldest->second.told);
+  if (!is_over) return;  // it came again meanwhile
+  past_[oldest->first.first].set(oldest->first.second.value(),
+                                 1 + static_cast<std::uint8_t>(*oldest->second.told));
+  asked_.erase(oldest);
 }
 
 }  // namespace skein::translation

@@ -2,11 +2,10 @@
 // What was told of each task.
 #pragma once
 
-#include <map>
-#include <optional>
 #include <string>
 
 #include "outbox.hpp"
+#include "skein/functional/status_memory.hpp"
 
 namespace skein::autopilot {
 
@@ -18,18 +17,18 @@ class StatusBoard {
  public:
   void tell(TaskId task, TaskState state, std::string reason, Outbox& out) {
     functional::Status status{task, state, std::move(reason)};
-    told_.insert_or_assign(task, status);
+    told_.set(status);
     out.add(std::move(status));
   }
   /// Taken on, though nothing can be told yet.
-  void note(TaskId task) { told_.try_emplace(task); }
-  bool knows(TaskId task) const { return told_.contains(task); }
+  void note(TaskId task) { told_.note(task); }
+  bool knows(TaskId task) const { return told_.knows(task); }
   void repeat(TaskId task, Outbox& out) const {
-    if (const auto& status = told_.at(task)) out.add(*status);
+    if (const auto status = told_.last(task)) out.add(*status);
   }
 
  private:
-  std::map<TaskId, std::optional<functional::Status>> told_;
+  functional::StatusMemory told_;
 };
 
 }  // namespace skein::autopilot

@@ -28,15 +28,16 @@ Plan::Slot Plan::insert(Task&& task, bool background) {
   record.background = background;
   record.place_among_open = static_cast<std::uint32_t>(open_.size());
   open_.push_back(slot);
-  known_.insert_or_assign(task.id, Known{slot});
+  by_id_.insert_or_assign(task.id, slot);
   slots_.insert_or_assign(task.id, slot);
   ++changes_;
   return slot;
 }
 
 bool Plan::may_insert(TaskId id) const {
-  const auto found = known_.find(id);
-  return found == known_.end() || found->second.readmitted;
+  if (by_id_.contains(id)) return false;
+  const std::uint8_t left = left_.of(id.value());
+  return left == 0 || (left & kReadmitted) != 0;
 }
 
 void Plan::set_state(Slot slot, TaskState state) {
@@ -59,11 +60,8 @@ void Plan::remove(Slot slot) {
   SKEIN_EXPECTS(is_terminal(old.state));
   slots_.erase(old.id);
   ++changes_;
-  if (old.background) {
-    known_.erase(old.id);
-  } else {
-    known_[old.id] = Known{kNoSlot, old.state};
-  }
+  by_id_.erase(old.id);
+  if (!old.background) left_.set(old.id.value(), 1 + static_cast<std::uint8_t>(old.state));
   TaskRecord blank;
   std::swap(blank.preconditions, old.preconditions);
   std::swap(blank.exit, old.exit);
@@ -75,16 +73,16 @@ void Plan::remove(Slot slot) {
 }
 
 std::optional<Plan::Slot> Plan::find(TaskId id) const {
-  const auto found = known_.find(id);
-  if (found == known_.end() || found->second.slot == kNoSlot) return std::nullopt;
-  return found->second.slot;
+  const auto found = by_id_.find(id);
+  if (found == by_id_.end()) return std::nullopt;
+  return found->second;
 }
 
 std::optional<TaskState> Plan::state_of(TaskId id) const {
-  const auto found = known_.find(id);
-  if (found == known_.end()) return std::nullopt;
-  const Known& known = found->second;
-  return known.slot == kNoSlot ? known.last : records_[known.slot].state;
+  if (const auto slot = find(id)) return records_[*slot].state;
+  const auto left = static_cast<std::uint8_t>(left_.of(id.value()) & ~kReadmitted);
+  if (left == 0) return std::nullopt;
+  return static_cast<TaskState>(left - 1);
 }
 
 std::vector<TaskId> Plan::open() const {

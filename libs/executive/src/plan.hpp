@@ -14,6 +14,7 @@
 
 #include "formula_state.hpp"
 #include "skein/executive/task.hpp"
+#include "skein/foundation/byte_book.hpp"
 #include "watch.hpp"
 
 namespace skein::executive {
@@ -48,7 +49,8 @@ struct TaskRecord {
 };
 
 /// Invariant: every id that was ever inserted (background routine apart, once over) is known, with
-/// its state, whether or not it is still in the plan. References to records stay valid.
+/// its state, whether or not it is still in the plan: a byte of each that has left it. References
+/// to records stay valid.
 class Plan {
  public:
   using Slot = std::uint32_t;
@@ -60,7 +62,7 @@ class Plan {
   /// Takes a terminal task out; what it was remains known unless it is of the background routine.
   void remove(Slot slot);
   /// A task of this id, which has been removed, may be inserted again.
-  void readmit(TaskId id) { known_.at(id).readmitted = true; }
+  void readmit(TaskId id) { left_.set(id.value(), left_.of(id.value()) | kReadmitted); }
   bool may_insert(TaskId id) const;
 
   TaskRecord& operator[](Slot slot) { return records_[slot]; }
@@ -77,18 +79,14 @@ class Plan {
   std::uint64_t changes() const { return changes_; }
 
  private:
-  static constexpr Slot kNoSlot = ~Slot{0};
-  struct Known {
-    Slot slot = kNoSlot;
-    TaskState last = TaskState::kScheduled;  ///< counts once the task has left the plan
-    bool readmitted = false;                 ///< relinquished: may come back
-  };
+  static constexpr std::uint8_t kReadmitted = 0x80;  ///< relinquished: may come back
   void close(Slot slot);
 
   std::deque<TaskRecord> records_;
   std::vector<Slot> free_;
   std::vector<Slot> open_;
-  std::unordered_map<TaskId, Known> known_;
+  std::unordered_map<TaskId, Slot> by_id_;  ///< in the plan
+  ByteBook left_;  ///< 1 + state of each that has left the plan, and kReadmitted
   std::map<TaskId, Slot> slots_;
   std::uint64_t changes_ = 0;
 };

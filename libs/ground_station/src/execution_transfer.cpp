@@ -14,8 +14,8 @@ std::vector<Request> GroundControl::requests_for(const std::string& uav,
                                                  std::vector<HeldTask> tasks) const {
   TransferFacts facts;
   facts.state_of = [&](executive::TaskId id) -> std::optional<executive::TaskState> {
-    const TaskOnBoard* task = monitoring_.find_task(uav, id);
-    if (task == nullptr || task->lost) return std::nullopt;
+    const std::optional<TaskOnBoard> task = monitoring_.find_task(uav, id);
+    if (!task || task->lost) return std::nullopt;
     return task->state;
   };
   facts.messages = monitoring_.messages_of(uav);
@@ -27,8 +27,8 @@ Request GroundControl::for_receiver(const SendRequest& request, bool is_here) co
   const auto mle = local_.find(request.uav);
   return without_settled(
       request.request, [&](executive::TaskId id) -> std::optional<executive::TaskState> {
-        const TaskOnBoard* task = monitoring_.find_task(request.uav, id);
-        if (task == nullptr || task->lost || !executive::is_terminal(task->state)) return {};
+        const std::optional<TaskOnBoard> task = monitoring_.find_task(request.uav, id);
+        if (!task || task->lost || !executive::is_terminal(task->state)) return {};
         const bool is_known =
             is_here ? mle != local_.end() && mle->second.executive.find(id) : !task->at_ground;
         if (is_known || monitoring_.is_being_started(request.uav, id)) return {};

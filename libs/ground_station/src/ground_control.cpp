@@ -374,7 +374,7 @@ void GroundControl::do_errand(const PlayRole& play, MissionTime now, Effects& ou
   report({"joint task " + skein::to_text(task) + " is not played for " + play.uav + ": " + why,
           play.asked_by},
          out);
-  const bool known = monitoring_.find_task(play.uav, task) != nullptr;
+  const bool known = monitoring_.find_task(play.uav, task).has_value();
   if (known || !monitoring_.knows(play.uav)) return;
   accept(PlayedTaskChanged{play.uav,
                            {task, std::string(executive::kJointPrefix) + play.task.name,
@@ -451,7 +451,7 @@ bool GroundControl::is_held_here(const SendRequest& request) const {
   if (const auto named = named_by(request.request)) {
     const auto mle = local_.find(request.uav);
     if (mle != local_.end() && mle->second.executive.find(*named)) return true;
-    if (monitoring_.find_task(request.uav, *named) != nullptr) return false;
+    if (monitoring_.find_task(request.uav, *named)) return false;
   }
   return runs_here(request.uav);
 }

@@ -22,7 +22,7 @@ bool holds_vehicle(const std::string& type) {
 const TaskOnBoard* current_task(const UavOnBoard& uav) {
   const TaskOnBoard* first = nullptr;
   for (const TaskId id : uav.tasks.open()) {
-    const TaskOnBoard* task = uav.tasks.find(id);
+    const TaskOnBoard* task = uav.tasks.kept(id);
     const bool at_work = task->state == TaskState::kStarted || task->state == TaskState::kRunning;
     if (!at_work) continue;
     if (holds_vehicle(task->type)) return task;
@@ -70,9 +70,10 @@ Degree Monitoring::degree_of(const std::string& uav) const {
   return found == uavs_.end() ? 3 : found->second.board.degree;
 }
 
-const TaskOnBoard* Monitoring::find_task(const std::string& uav, TaskId task) const {
+std::optional<TaskOnBoard> Monitoring::find_task(const std::string& uav, TaskId task) const {
   const auto record = uavs_.find(uav);
-  return record == uavs_.end() ? nullptr : record->second.board.tasks.find(task);
+  if (record == uavs_.end()) return std::nullopt;
+  return record->second.board.tasks.find(task);
 }
 
 bool Monitoring::has_told(const std::string& uav, TaskId task, TaskState state) const {

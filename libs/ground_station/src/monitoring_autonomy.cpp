@@ -148,7 +148,10 @@ void Monitoring::tell_stages(Record& record, Effects& effects) {
 
 void Monitoring::tell_stage(Record& record, MissionId mission, MissionStage stage,
                             Effects& effects) {
-  if (!record.told_missions.emplace(mission, stage).second) return;
+  const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(stage));
+  const std::uint8_t told = record.told_missions.of(mission.value());
+  if ((told & bit) != 0) return;
+  record.told_missions.set(mission.value(), told | bit);
   effects.emplace_back(MissionChanged{record.board.name, mission, stage});
 }
 

@@ -56,7 +56,7 @@ std::vector<std::string> Monitoring::problems_of(const PlayRole& play, MissionTi
   if (uav == uavs_.end()) return {"unknown UAV '" + play.uav + "'"};
   std::vector<std::string> problems = checks_.problems_of(play.task, addressee(uav->second), now);
   const executive::TaskId id(play.task.id.value());
-  if (uav->second.board.tasks.find(id) != nullptr) {
+  if (uav->second.board.tasks.find(id)) {
     problems.push_back("task " + skein::to_text(id) + " of " + play.uav + " is known already");
   }
   return problems;
@@ -189,8 +189,8 @@ void Monitoring::send_again(const Record& record, Effects& effects) {
   }
   for (const auto& [number, pending] : open) {
     const std::optional<TaskId> about = named_by(pending.request);
-    const TaskOnBoard* task = about ? record.board.tasks.find(*about) : nullptr;
-    if (task != nullptr && task->lost) {
+    const auto task = about ? record.board.tasks.find(*about) : std::nullopt;
+    if (task && task->lost) {
       const std::string id = skein::to_text(*about);
       close(number, CommandState::kRefused, "the UAV restarted: task " + id + " is lost", effects);
     } else {

@@ -47,9 +47,9 @@ std::vector<TaskState> told(const Effects& effects) {
 }
 
 TaskState state_of(const Monitoring& mcs, std::uint64_t task) {
-  const TaskOnBoard* found = mcs.find_task("marvin", id(task));
-  EXPECT_NE(found, nullptr);
-  return found == nullptr ? TaskState::kScheduled : found->state;
+  const std::optional<TaskOnBoard> found = mcs.find_task("marvin", id(task));
+  EXPECT_TRUE(found);
+  return found ? found->state : TaskState::kScheduled;
 }
 
 // ---- commands ----

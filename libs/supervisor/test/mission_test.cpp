@@ -54,6 +54,27 @@ TEST(SupervisorMission, ThatMakesNoSenseIsRefusedWithEveryReason) {
   EXPECT_FALSE(desk.job_started());
 }
 
+// Of what was over long ago only the numbers are known.
+TEST(SupervisorMission, NumbersAreKnownHoweverManyMissionsCameAfter) {
+  Desk desk = Desk::engaged();
+  for (std::uint64_t id = 1; id <= 500; ++id) {
+    desk.add(a_mission(id, {1000 + id}));
+    desk.finish(refused("no way"));
+  }
+  mission::UnitMission again = a_mission(1, {1001});
+  again.tasks[0].after.push_back({GoalId{1002}, false, Duration(), secs(60)});
+
+  desk.add(again);
+
+  ASSERT_FALSE(desk.of<Answer>()[0].accepted);
+  EXPECT_THAT(desk.of<Answer>()[0].reasons,
+              ElementsAre("mission 1 is known already", "high-level task 1001 is known already",
+                          "high-level task 1002, after which 1001 is to come, is over for too long "
+                          "to count from it"));
+  desk.give(CancelMission{{{GoalId{1001}}, {}, true}, "test"});
+  EXPECT_THAT(desk.of<Answer>()[0].reasons, ElementsAre("all of it is over already"));
+}
+
 TEST(SupervisorMission, IsRefusedWhileNotEngaged) {
   Desk desk;
 

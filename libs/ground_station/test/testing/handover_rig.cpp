@@ -234,8 +234,8 @@ std::vector<std::string> HandoverRig::faults() const {
     const std::string name = "task " + skein::to_text(task);
     const auto begun = begun_.find(task);
     const int times = begun == begun_.end() ? 0 : begun->second;
-    const TaskOnBoard* shown = uav.tasks.find(task);
-    if (shown == nullptr) {
+    const auto shown = uav.tasks.find(task);
+    if (!shown) {
       out.push_back(name + " is not on the board");
       continue;
     }

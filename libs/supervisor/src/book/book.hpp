@@ -10,6 +10,7 @@
 
 #include "book/entry.hpp"
 #include "flight/whereabouts.hpp"
+#include "skein/foundation/byte_book.hpp"
 #include "skein/mission/autonomy.hpp"
 #include "skein/mission/elementary_plan.hpp"
 #include "skein/supervisor/insertion.hpp"
@@ -56,14 +57,17 @@ bool depends_on(const mission::ElementaryTask& task, TaskId other);
 class Book {
  public:
   std::map<GoalId, Goal> goals;
+  ByteBook past;  ///< 1 for goals of which nothing else is known any more
   std::vector<GoalId> order;
   std::map<TaskId, Entry> tasks;
   std::map<TaskId, Loose> loose;  ///< those that are not over
-  std::set<TaskId> forgotten;     ///< loose ones that are over
+  ByteBook forgotten;             ///< 1 for loose ones that are over
   Meetings meetings;              ///< what is known of those whom the UAV is to meet
   TaskId next_id{1};
   bool more_settled = false;  ///< goals, since the past was last let go
 
+  /// Whether there ever was a goal of that number.
+  bool knows(GoalId id) const { return goals.contains(id) || past.knows(id.value()); }
   Entry* find(TaskId id);
   const Entry* find(TaskId id) const;
 

@@ -17,7 +17,7 @@ bool OwnGoals::can_plan(std::string_view task) const {
 std::optional<mission::HighLevelTask> OwnGoals::next(std::string_view name) const {
   if (!can_plan(name)) return std::nullopt;
   std::uint64_t id = kFirstOwn + given_ + 1;
-  while (book_.goals.count(GoalId(id)) != 0) ++id;
+  while (book_.knows(GoalId(id))) ++id;
   return mission::HighLevelTask{GoalId(id), std::string(name), {}, {}};
 }
 

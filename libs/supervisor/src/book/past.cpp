@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace skein::supervisor {
 
@@ -58,6 +60,23 @@ void let_tasks_go(Book& book, const std::set<GoalId>& of) {
   for (const GoalId id : of) book.goals.at(id).tasks_gone = true;
 }
 
+/// Of goals that left the plan, the oldest: all but their numbers goes.
+void let_bare_goals_go(Book& book, std::size_t kept) {
+  const std::set<GoalId> planned(book.order.begin(), book.order.end());
+  std::vector<std::pair<MissionTime, GoalId>> bare;
+  for (const auto& [id, goal] : book.goals)
+    if (planned.count(id) == 0) bare.emplace_back(goal.settled, id);
+  if (bare.size() <= kept + kept / 4) return;
+  std::sort(bare.begin(), bare.end());
+  bare.resize(bare.size() - kept);
+  const std::set<GoalId> still_needed = needed(book);
+  for (const auto& [settled, id] : bare) {
+    if (still_needed.count(id) > 0) continue;
+    book.goals.erase(id);
+    book.past.set(id.value(), 1);
+  }
+}
+
 }  // namespace
 
 void let_go_of_the_past(Book& book, Kept kept) {
@@ -77,6 +96,7 @@ void let_go_of_the_past(Book& book, Kept kept) {
     bare.tasks_gone = true;
     goal = std::move(bare);
   }
+  let_bare_goals_go(book, kept.bare);
 }
 
 }  // namespace skein::supervisor

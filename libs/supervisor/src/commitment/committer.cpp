@@ -101,7 +101,7 @@ mission::ElementaryTask Committer::as_given(const mission::ElementaryTask& task)
   const auto unknown = [this](const Dependence& one) {
     const Entry* other = book_.find(one.task);
     return (other == nullptr || !other->given()) && book_.loose.count(one.task) == 0 &&
-           book_.forgotten.count(one.task) == 0;
+           !book_.forgotten.knows(one.task.value());
   };
   on.erase(std::remove_if(on.begin(), on.end(), unknown), on.end());
   for (const TaskId id : loose_before(result)) {

@@ -49,7 +49,7 @@ std::string proposed(const std::vector<Relaxation>& relaxations) {
 // "; goal 701 in parts: 50 % of its lanes before goals 710": of the part that is not known yet.
 std::string parted(const std::vector<mission::HighLevelTask>& order, const Book& book) {
   const auto part = std::find_if(order.begin(), order.end(), [&](const auto& goal) {
-    return whole_of(goal) && book.goals.count(goal.id) == 0;
+    return whole_of(goal) && !book.knows(goal.id);
   });
   if (part == order.end()) return {};
   std::vector<GoalId> between;
@@ -256,7 +256,7 @@ void Results::refuse(const Job& job, const std::vector<std::string>& reasons,
 // The UAV gives itself a part of a mapping.
 void Results::enter_parts(const std::vector<mission::HighLevelTask>& order) {
   for (const mission::HighLevelTask& task : order)
-    if (whole_of(task) && book_.goals.count(task.id) == 0) own_goals_.enter(task);
+    if (whole_of(task) && !book_.knows(task.id)) own_goals_.enter(task);
 }
 
 void Results::finish(const Job& job, const InsertionOutcome& outcome) {
@@ -266,7 +266,7 @@ void Results::finish(const Job& job, const InsertionOutcome& outcome) {
     return refuse(job, outcome.reasons, outcome.dropped, proposed(outcome.relaxations));
   Premises premises = job.premises;
   for (const mission::HighLevelTask& task : outcome.order)
-    if (whole_of(task) && book_.goals.count(task.id) == 0) premises.added.push_back(task.id);
+    if (whole_of(task) && !book_.knows(task.id)) premises.added.push_back(task.id);
   if (const std::string fault = fault_of(premises, *outcome.plan); !fault.empty()) {
     return refuse(job, {fault});
   }

@@ -13,7 +13,7 @@ namespace skein::supervisor {
 /// The plans and failures of plan_tasks for requests one after another. The domain is read and
 /// compiled once; what refiners answered from one origin in one world is kept until the job ends,
 /// for the next request that is of the same. Thread rule: one thread at a time. Cost: of a plan
-/// like one before mostly that of the search; some tens of megabytes at most are kept.
+/// like one before mostly that of the search; some megabytes at most are kept between jobs.
 class Plans {
  public:
   Plans();
@@ -33,7 +33,7 @@ class Plans {
   Workplace& workplace_for(const PlanningRequest& request);
 
   /// Of terms, between jobs [bytes]; more than that is begun anew.
-  static constexpr std::size_t kMostKept = std::size_t{1} << 25U;
+  static constexpr std::size_t kMostKept = std::size_t{1} << 20U;
   /// Inferences of one job; after so many it is begun anew. Not by memory: how often a job asks for
   /// the time must not depend on what was planned before it (a restarted node does jobs again).
   static constexpr std::uint64_t kMostEffort = 2'000'000;

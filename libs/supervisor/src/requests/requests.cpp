@@ -40,7 +40,7 @@ std::vector<std::string> Requests::problems_of_mission(const mission::UnitMissio
   around.vehicle = &vehicle;
   std::vector<std::string> problems =
       mission::problems_of(mission, beliefs_.knowledge().vocabulary, around, now());
-  if (missions_.count(mission.id) != 0) {
+  if (missions_.knows(mission.id.value())) {
     problems.push_back("mission " + to_text(mission.id) + " is known already");
   }
   for (std::string& problem : problems_of_goals(mission)) problems.push_back(std::move(problem));
@@ -50,22 +50,24 @@ std::vector<std::string> Requests::problems_of_mission(const mission::UnitMissio
 std::vector<std::string> Requests::problems_of_goals(const mission::UnitMission& mission) const {
   std::vector<std::string> problems;
   for (const mission::HighLevelTask& task : mission.tasks) {
-    if (book_.goals.count(task.id) != 0) {
+    if (book_.knows(task.id)) {
       problems.push_back("high-level task " + to_text(task.id) + " is known already");
     }
     for (const mission::GoalBound& bound : task.after) {
       const bool here = std::any_of(mission.tasks.begin(), mission.tasks.end(),
                                     [&](const auto& one) { return one.id == bound.goal; });
       if (here || book_.goals.count(bound.goal) != 0) continue;
+      const bool was = book_.knows(bound.goal);
       problems.push_back("high-level task " + to_text(bound.goal) + ", after which " +
-                         to_text(task.id) + " is to come, is not known");
+                         to_text(task.id) + " is to come, is " +
+                         (was ? "over for too long to count from it" : "not known"));
     }
   }
   return problems;
 }
 
 void Requests::enter(const mission::UnitMission& mission, const std::string& cause) {
-  missions_.insert(mission.id);
+  missions_.set(mission.id.value(), 1);
   for (const mission::HighLevelTask& task : mission.tasks) {
     Goal goal;
     goal.task = task;
@@ -97,11 +99,11 @@ std::vector<GoalId> Requests::goals_named(const mission::CancelGoals& named,
   const bool by_mission = named.mission != mission::MissionId();
   const bool all = named.goals.empty() && !by_mission;
   for (const GoalId id : named.goals) {
-    if (book_.goals.count(id) == 0) {
+    if (!book_.knows(id)) {
       problems.push_back("high-level task " + to_text(id) + " is not known");
     }
   }
-  if (by_mission && missions_.count(named.mission) == 0) {
+  if (by_mission && !missions_.knows(named.mission.value())) {
     problems.push_back("mission " + to_text(named.mission) + " is not known");
   }
   std::vector<GoalId> result;

@@ -2,7 +2,6 @@
 // Operators 0 and 2: what users ask for. Source: T IV.4.2 (SCD-0, SCD-2), spec 6.2.
 #pragma once
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -53,7 +52,7 @@ class Requests {
   Agenda& agenda_;
   Outbox& out_;
   Book& book_;
-  std::set<mission::MissionId> missions_;  ///< all that were accepted
+  ByteBook missions_;  ///< 1 for each that was accepted
 };
 
 }  // namespace skein::supervisor

@@ -101,7 +101,7 @@ void Observer::see_loose(const executive::TaskEvent& event) {
   if (known == book_.loose.end()) return;
   if (known->second.ours && !known->second.stopping)
     safe_mode_.pause_until(now() + retry_after(known->second, event.reason));
-  book_.forgotten.insert(event.id);
+  book_.forgotten.set(event.id.value(), 1);
   book_.loose.erase(known);
 }
 

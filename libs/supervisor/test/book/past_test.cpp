@@ -43,6 +43,24 @@ TEST(Past, ThatThereWasAGoalOfThatNumberStaysKnown) {
   EXPECT_EQ(rooms.state_of(1), GoalState::kAchieved);
 }
 
+TEST(Past, OfTheOldestOnlyTheNumberStaysKnown) {
+  TenGoals rooms;
+  for (std::uint64_t id = 1; id <= 8; ++id)
+    rooms.book.goals.at(GoalId{id}).settled = MissionTime::seconds(static_cast<double>(id));
+  rooms.book.goals.at(GoalId{9}).task.after = {
+      {GoalId{2}, true, Duration(), Duration::seconds(60)}};
+
+  let_go_of_the_past(rooms.book, {1, 1, 3});
+
+  EXPECT_EQ(rooms.book.order, goal_ids({2, 8, 9, 10}));
+  for (std::uint64_t id = 1; id <= 10; ++id) EXPECT_TRUE(rooms.book.knows(GoalId{id})) << id;
+  EXPECT_FALSE(rooms.book.knows(GoalId{11}));
+  EXPECT_FALSE(rooms.book.goals.contains(GoalId{1}));
+  EXPECT_TRUE(rooms.book.goals.contains(GoalId{2})) << "something open is bound to it";
+  EXPECT_FALSE(rooms.book.goals.contains(GoalId{4}));
+  EXPECT_EQ(rooms.state_of(5), GoalState::kAchieved);
+}
+
 TEST(Past, NothingGoesBeforeThereIsAQuarterTooMuch) {
   TenGoals rooms;
 

@@ -22,7 +22,7 @@ NodeIndex LiveNetwork::add_node(const NodeName& name) {
     index = free_nodes_.back();
     free_nodes_.pop_back();
   }
-  nodes_[name] = {index, ++epochs_[name]};
+  nodes_[name] = {index, ++last_epoch_};
   return index;
 }
 

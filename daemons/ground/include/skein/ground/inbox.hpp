@@ -43,7 +43,9 @@ class Inbox {
   /// The line for the event log about a sample that makes no sense; absent: said already.
   std::optional<journal::Record> refuse(const node::Received& received,
                                         const wire::Violation& violation, MissionTime now);
-  /// Only this node answers that command from now on.
+  static constexpr std::size_t kAddressees = 1024;
+
+  /// Only this node answers that command from now on, until kAddressees more were sent.
   void sent(std::uint64_t command, node::NodeNumber addressee);
   bool is_uav(node::NodeNumber number) const;
 
@@ -54,7 +56,8 @@ class Inbox {
 
   const node::Roster& roster_;
   ReadRequest read_request_;
-  std::map<std::uint64_t, node::NodeNumber> addressees_;  ///< of commands, by number
+  /// Of the last commands, by number; whoever answers an older one, nobody waits for it.
+  std::map<std::uint64_t, node::NodeNumber> addressees_;
   Tally<std::pair<node::NodeNumber, wire::Slot>> refused_{256};
 };
 

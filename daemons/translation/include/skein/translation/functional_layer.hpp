@@ -3,6 +3,7 @@
 // and telemetry, docs/journal.md), and where its vehicles are.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "skein/blackboard/wire.hpp"
+#include "skein/foundation/byte_book.hpp"
 #include "skein/functional/port.hpp"
 #include "skein/journal/line.hpp"
 #include "skein/world/vehicle_state.hpp"
@@ -24,9 +26,12 @@ wire::Truth truth_of(const std::string& uav, const world::VehicleState& state);
 journal::Record telemetry_line(MissionTime at, const std::string& node, const std::string& uav,
                                const world::VehicleState& state);
 
-/// Lines of kind functional: one for each change of a task, with what was asked for.
+/// Lines of kind functional: one for each change of a task, with what was asked for. Of tasks that
+/// are over and not the last kKept only the state is kept.
 class FunctionalLines {
  public:
+  static constexpr std::size_t kKept = 256;
+
   /// What is asked for twice is one task.
   void note(const std::string& uav, const functional::Request& asked);
   /// Absent when the state was told before.
@@ -39,9 +44,15 @@ class FunctionalLines {
     std::string type;
     std::string device;          ///< of a perception
     std::vector<double> target;  ///< that the device is aimed at [m] ENU
-    std::string told;            ///< its last state
+    std::optional<functional::TaskState> told;
   };
-  std::map<std::pair<std::string, functional::TaskId>, Asked> asked_;  ///< by UAV and task
+  using Key = std::pair<std::string, functional::TaskId>;  ///< UAV and task
+  Asked& entry(const Key& key);
+  void file(const Key& key);
+
+  std::map<Key, Asked> asked_;
+  std::deque<Key> over_;                  ///< of those, the oldest first
+  std::map<std::string, ByteBook> past_;  ///< 1 + state of each that was let go, by UAV
 };
 
 }  // namespace skein::translation

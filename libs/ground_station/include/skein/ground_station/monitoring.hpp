@@ -113,8 +113,8 @@ class Monitoring {
   /// 3 for an unknown UAV.
   Degree degree_of(const std::string& uav) const;
   bool knows(const std::string& uav) const { return uavs_.contains(uav); }
-  /// Null when the UAV or the task is unknown. Valid until the next handle.
-  const TaskOnBoard* find_task(const std::string& uav, executive::TaskId task) const;
+  /// Absent when the UAV or the task is unknown. Of one that was over long ago: TaskBoard.
+  std::optional<TaskOnBoard> find_task(const std::string& uav, executive::TaskId task) const;
   /// Whether a TaskChanged was given for it; false when the UAV or the task is unknown or lost.
   bool has_told(const std::string& uav, executive::TaskId task, executive::TaskState state) const;
   /// Whether a START of the task is pending.
@@ -139,7 +139,7 @@ class Monitoring {
   };
   struct Record {
     UavOnBoard board;
-    std::set<std::pair<mission::MissionId, MissionStage>> told_missions;
+    ByteBook told_missions;                ///< a bit for each stage
     std::optional<MissionTime> degree_at;  ///< when the last degree told was so
     std::optional<MissionTime> goals_at;   ///< when the goals on the board were so
     std::optional<Change> change;

@@ -79,7 +79,7 @@ class LiveNetwork {
   /// Its links go with it. Precondition: it is there, and not the origin.
   void remove_node(const NodeName& name);
   std::optional<NodeIndex> index(const NodeName& name) const;
-  /// 1 the first time a name is there; absent when it is not.
+  /// Greater than that of any node that came before it; absent when it is not there.
   std::optional<std::uint32_t> epoch(const NodeName& name) const;
 
   /// New, or changed. The answer numbers the link for as long as it is there. Preconditions: its
@@ -128,7 +128,7 @@ class LiveNetwork {
   void free_slots();
 
   std::map<NodeName, Node> nodes_;
-  std::map<NodeName, std::uint32_t> epochs_;  ///< the last one of each name
+  std::uint32_t last_epoch_ = 0;
   std::vector<NodeIndex> free_nodes_;
   std::vector<std::set<std::uint32_t>> links_at_;  ///< of each node
   std::map<LinkName, std::uint32_t> by_name_;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stays known of things that are over: a byte of each number.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+
+namespace skein {
+
+/// A byte for each number that was ever set, 0 for all others. Made for numbers that mostly follow
+/// one another, as those of tasks do: these take less than two bytes each, one far from all others
+/// a page of 200. Cost: of a search among pages of 128 numbers.
+class ByteBook {
+ public:
+  std::uint8_t of(std::uint64_t number) const {
+    const auto page = pages_.find(number / kPage);
+    return page == pages_.end() ? std::uint8_t{0} : page->second[number % kPage];
+  }
+  bool knows(std::uint64_t number) const { return of(number) != 0; }
+  void set(std::uint64_t number, std::uint8_t value) {
+    pages_.try_emplace(number / kPage, Page{}).first->second[number % kPage] = value;
+  }
+  void clear() { pages_.clear(); }
+  /// What is kept [bytes].
+  std::size_t memory() const { return pages_.size() * (sizeof(Page) + kNode); }
+
+ private:
+  static constexpr std::uint64_t kPage = 128;
+  static constexpr std::size_t kNode = 64;  ///< of a map, about [bytes]
+  using Page = std::array<std::uint8_t, kPage>;
+  std::map<std::uint64_t, Page> pages_;
+};
+
+}  // namespace skein
