@@ -210,7 +210,7 @@ void Blackboard::Impl::recall_received(wire::Slot slot, const wire::SampleHeader
   if (found == peers_.end()) return;
   if (is_event(slot)) {
     found->second.recall_received(header);
-  } else {
+  } else if (slot != wire::Slot::kHeartbeat) {
     freshness_.admit(slot, header);
   }
 }
@@ -363,15 +363,15 @@ void Blackboard::Impl::admit_from_peer(std::size_t channel, wire::Sample&& sampl
     peer.on_event(header, std::move(sample), now, out_);
     return hear(peer);
   }
-  if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample))
-    compare_lives(peer, *heartbeat, now);
-  if (!freshness_.admit(slot, header)) return;
   if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample)) {
+    compare_lives(peer, *heartbeat, now);
+    if (!peer.is_news(*heartbeat)) return;
     if (forwarding_ && header.via.empty() && over.kind == ChannelKind::kRadio)
       forwarding_->on_heartbeat(over.from, now.steady);
     peer.on_heartbeat(*heartbeat, now, out_);
     return hear(peer);
   }
+  if (!freshness_.admit(slot, header)) return;
   if (const auto* part = std::get_if<wire::Part>(&sample)) return admit_part(peer, *part, now);
   if (auto* report = std::get_if<wire::Neighbours>(&sample)) {
     if (forwarding_) hand_all(forwarding_->learn(std::move(*report)), now);

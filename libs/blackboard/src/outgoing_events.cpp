@@ -3,6 +3,7 @@
 #include "outgoing_events.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "skein/foundation/contract.hpp"
 
@@ -38,19 +39,24 @@ void OutgoingEvents::give_up(std::uint64_t sequence) {
 }
 
 void OutgoingEvents::drop_given_up() {
-  while (!held_.empty() && held_.front().given_up) held_.pop_front();
+  const auto first = std::ranges::find(held_, false, &Held::given_up);
+  drop_first(static_cast<std::size_t>(first - held_.begin()));
+}
+
+void OutgoingEvents::drop_first(std::size_t count) {
+  if (count == 0) return;
+  if (count == held_.size()) return void(std::exchange(held_, {}));
+  held_.erase(held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 std::vector<std::uint64_t> OutgoingEvents::acknowledge(std::uint64_t sequence) {
   std::vector<std::uint64_t> receipts;
   if (sequence >= next_) return receipts;
-  const std::size_t before = held_.size();
-  while (!held_.empty() && oldest() <= sequence) {
-    const Held& event = held_.front();
-    if (event.receipt != 0 && !event.given_up) receipts.push_back(event.receipt);
-    held_.pop_front();
-  }
-  if (held_.size() == before) return receipts;
+  if (sequence < oldest()) return receipts;
+  const std::size_t handled = sequence - oldest() + 1;
+  for (std::size_t i = 0; i < handled; ++i)
+    if (held_[i].receipt != 0 && !held_[i].given_up) receipts.push_back(held_[i].receipt);
+  drop_first(handled);
   for (Held& event : held_) event.writings = std::min(event.writings, 1);
   return receipts;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -81,6 +80,7 @@ class OutgoingEvents {
     std::uint64_t receipt = 0;
   };
   void drop_given_up();
+  void drop_first(std::size_t count);
   void write(Held& event, Duration at);
   bool is_due(std::size_t index, Now now, Duration round_trip) const;
   /// When the event, which was written, is to be written again; none: not before others are gone.
@@ -89,7 +89,7 @@ class OutgoingEvents {
 
   std::size_t capacity_;
   Duration retransmission_;
-  std::deque<Held> held_;
+  std::vector<Held> held_;  ///< mostly none: it takes nothing then
   std::uint64_t next_ = 1;
   bool turn_of_old_ = false;
   bool contact_ = false;

@@ -22,9 +22,10 @@ void OutgoingParts::hold(const wire::Sample& event, std::uint64_t receipt) {
   bytes_ += held.bytes.size();
 }
 
-void OutgoingParts::drop(std::deque<Held>::iterator one) {
+void OutgoingParts::drop(std::vector<Held>::iterator one) {
   bytes_ -= one->bytes.size();
   held_.erase(one);
+  if (held_.empty()) held_ = {};
 }
 
 void OutgoingParts::drop_front() {

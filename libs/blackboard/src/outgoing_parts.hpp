@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -62,13 +61,13 @@ class OutgoingParts {
     std::uint64_t receipt = 0;
     bool may_have_arrived = false;  ///< all of it was written while the peer was heard
   };
-  void drop(std::deque<Held>::iterator one);
+  void drop(std::vector<Held>::iterator one);
   void drop_front();
   bool window_is_open(std::uint32_t most_bytes) const;
 
   Duration retransmission_;
-  std::deque<Held> held_;
-  std::size_t bytes_ = 0;  ///< of all that are held
+  std::vector<Held> held_;  ///< mostly none: it takes nothing then
+  std::size_t bytes_ = 0;   ///< of all that are held
   std::uint64_t next_ = kFirstLongEvent;
   std::uint32_t acked_ = 0, next_byte_ = 0;  ///< of the first
   Duration last_written_;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -75,6 +76,14 @@ class Peer {
 
   void on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
                 std::vector<Incoming>& out);
+  /// Whether the heartbeat is newer than all before it, by incarnation then sequence; then it is
+  /// the newest.
+  bool is_news(const wire::Heartbeat& heartbeat) {
+    const std::pair version{heartbeat.header.incarnation, heartbeat.header.sequence_number};
+    if (version <= newest_heartbeat_) return false;
+    newest_heartbeat_ = version;
+    return true;
+  }
   void on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out);
   /// A part of a long event of the peer, or what it has of one of this node. Gives the event that
   /// is whole now, or what is wrong with it.
@@ -150,6 +159,7 @@ class Peer {
   int rival_turns_ = 0;            ///< from the latest to an older one
   bool recalled_ = false;          ///< nothing was heard of it since this life began
   std::uint64_t incarnation_ = 0;  ///< of the peer; 0: never heard
+  std::pair<std::uint64_t, std::uint64_t> newest_heartbeat_;
   Duration last_heard_;
   Duration next_heartbeat_;
   std::optional<Duration> acknowledge_at_;

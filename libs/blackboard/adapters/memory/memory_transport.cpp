@@ -22,10 +22,9 @@ bool partitions_match(const std::string& writer, const std::string& reader) {
 }
 
 /// The nodes that a sample of the world is about, if it is about two only.
-std::optional<std::array<NodeNumber, 2>> pair_of(const ChannelConfig& channel,
-                                                 const wire::Sample& sample) {
+std::optional<std::array<NodeNumber, 2>> pair_of(ChannelKind kind, const wire::Sample& sample) {
   const auto* link = std::get_if<wire::LinkState>(&sample);
-  if (link == nullptr || channel.kind != ChannelKind::kWorld) return std::nullopt;
+  if (link == nullptr || kind != ChannelKind::kWorld) return std::nullopt;
   return std::array{NodeNumber(link->from), NodeNumber(link->to)};
 }
 
@@ -111,7 +110,8 @@ Result<void, Failure> MemoryTransport::open(const TransportPlan& plan) {
   channels_.reserve(plan.channels.size());
   for (const ChannelConfig& config : plan.channels) {
     Channel channel;
-    channel.config = config;
+    channel.kind = config.kind;
+    channel.by_pattern = is_pattern(config.partition);
     const bool world = config.kind == ChannelKind::kWorld;
     channel.writes = world || config.from == plan.self;
     channel.reads = world || config.from != plan.self;
@@ -123,8 +123,9 @@ Result<void, Failure> MemoryTransport::open(const TransportPlan& plan) {
   order_ = hub_.opened_++;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     Channel& channel = channels_[i];
-    hub_.join({this, i}, channel.config.partition, channel.writes, channel.reads);
-    channel.partition = &hub_.partition(channel.config.partition);
+    const std::string& name = plan.channels[i].partition;
+    hub_.join({this, i}, name, channel.writes, channel.reads);
+    channel.partition = &hub_.partition(name);
   }
   take_what_is_kept();
   return {};
@@ -146,9 +147,8 @@ void MemoryTransport::take_what_is_kept() {
 
 std::vector<MemoryHub::End> MemoryTransport::writers_for(std::size_t channel) {
   const Channel& reader = channels_[channel];
-  std::vector<MemoryHub::End> all = is_pattern(reader.config.partition)
-                                        ? hub_.writers_for({this, channel})
-                                        : reader.partition->writers;
+  std::vector<MemoryHub::End> all =
+      reader.by_pattern ? hub_.writers_for({this, channel}) : reader.partition->writers;
   std::erase_if(all, [&](const MemoryHub::End& writer) { return writer.node == this; });
   return all;
 }
@@ -159,7 +159,7 @@ bool MemoryTransport::write(std::size_t channel, const wire::Sample& sample) {
   remember(writer, sample);
   if (!writer.up) return true;
   const MemoryHub::Partition& partition = *writer.partition;
-  if (const auto pair = pair_of(writer.config, sample)) {
+  if (const auto pair = pair_of(writer.kind, sample)) {
     for (const NodeNumber node : *pair)
       if (const auto found = partition.of_nodes.find(node); found != partition.of_nodes.end())
         put_to(found->second, channel, sample);
@@ -182,23 +182,24 @@ void MemoryTransport::put_to(const std::vector<MemoryHub::End>& readers, std::si
 
 void MemoryTransport::remember(Channel& channel, const wire::Sample& sample) const {
   const wire::Slot slot = wire::slot_of(sample);
+  if (wire::slot_class(slot) == wire::SlotClass::kStream) return;
+  if (!channel.kept) channel.kept = std::make_unique<Kept>();
+  Kept& keeps = *channel.kept;
   switch (wire::slot_class(slot)) {
     case wire::SlotClass::kState: {
       const wire::SampleHeader& header = wire::header_of(sample);
       const StateKey key{slot, header.origin, header.destination, header.instance};
-      const auto pair = pair_of(channel.config, sample);
-      if (!pair) return void(channel.states.insert_or_assign(key, sample));
+      const auto pair = pair_of(channel.kind, sample);
+      if (!pair) return void(keeps.states.insert_or_assign(key, sample));
       const auto& link = std::get<wire::LinkState>(sample);
-      const auto kept = channel.links.insert_or_assign(key, link).first;
-      for (const NodeNumber node : *pair) channel.links_of[node].emplace(key, &kept->second);
+      const auto kept = keeps.links.insert_or_assign(key, link).first;
+      for (const NodeNumber node : *pair) keeps.links_of[node].emplace(key, &kept->second);
       return;
     }
     case wire::SlotClass::kEvent: {
-      const bool world = channel.config.kind == ChannelKind::kWorld;
-      channel.events.push_back(sample);
-      if (channel.events.size() > (world ? kWorldEventDepth : kEventDepth)) {
-        channel.events.pop_front();
-      }
+      const bool world = channel.kind == ChannelKind::kWorld;
+      keeps.events.push_back(sample);
+      if (keeps.events.size() > (world ? kWorldEventDepth : kEventDepth)) keeps.events.pop_front();
       return;
     }
     case wire::SlotClass::kStream:
@@ -213,7 +214,7 @@ void MemoryTransport::put(std::size_t channel, std::variant<wire::Sample, Malfor
 }
 
 bool MemoryTransport::is_radio(std::size_t channel) const {
-  return channels_[channel].config.kind == ChannelKind::kRadio;
+  return channels_[channel].kind == ChannelKind::kRadio;
 }
 
 bool MemoryTransport::reaches(std::size_t channel, const MemoryHub::End& reader) const {
@@ -234,13 +235,14 @@ void MemoryTransport::replay_states(const MemoryHub::End& writer, const MemoryHu
 std::vector<MemoryTransport::KeptState> MemoryTransport::states_for(const Channel& writer,
                                                                     const MemoryHub::End& reader) {
   std::vector<KeptState> kept;
-  for (const auto& [key, state] : writer.states)
+  if (!writer.kept) return kept;
+  for (const auto& [key, state] : writer.kept->states)
     if (wants(reader, std::get<0>(key))) kept.emplace_back(key, state);
   if (!wants(reader, wire::Slot::kLinkState)) return kept;
-  if (is_pattern(at(reader).config.partition)) {
-    for (const auto& [key, link] : writer.links) kept.emplace_back(key, link);
-  } else if (const auto about = writer.links_of.find(reader.node->self_);
-             about != writer.links_of.end()) {
+  if (at(reader).by_pattern) {
+    for (const auto& [key, link] : writer.kept->links) kept.emplace_back(key, link);
+  } else if (const auto about = writer.kept->links_of.find(reader.node->self_);
+             about != writer.kept->links_of.end()) {
     for (const auto& [key, link] : about->second) kept.emplace_back(key, *link);
   }
   std::ranges::sort(kept, {}, &KeptState::first);
@@ -251,7 +253,8 @@ void MemoryTransport::replay(const MemoryHub::End& writer, const MemoryHub::End&
   replay_states(writer, reader);
   if (!at(writer).up || !at(reader).up) return;
   if (!writer.node->reaches(writer.channel, reader)) return;
-  for (const wire::Sample& event : at(writer).events)
+  if (!at(writer).kept) return;
+  for (const wire::Sample& event : at(writer).kept->events)
     if (wants(reader, wire::slot_of(event))) reader.node->put(reader.channel, event);
 }
 

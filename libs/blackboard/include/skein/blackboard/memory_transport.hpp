@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <list>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <tuple>
@@ -86,19 +87,23 @@ class MemoryTransport final : public Transport {
   friend class MemoryHub;
   /// Slot, origin, destination, instance.
   using StateKey = std::tuple<wire::Slot, std::uint32_t, std::uint32_t, std::uint32_t>;
+  /// What a writer keeps for readers that connect later.
+  struct Kept {
+    std::map<StateKey, wire::Sample> states;
+    std::list<wire::Sample> events;
+    /// Of the world, what is about two nodes only; and by either of the two.
+    std::map<StateKey, wire::LinkState> links;
+    std::map<NodeNumber, std::map<StateKey, const wire::LinkState*>> links_of;
+  };
   struct Channel {
     bool up = true;  // what each sample asks for, together
     bool writes = false;
     bool reads = false;
     std::bitset<wire::kSlotCount> read_slots;
+    bool by_pattern = false;
+    ChannelKind kind = ChannelKind::kRadio;
     MemoryHub::Partition* partition = nullptr;
-    ChannelConfig config;
-    /// What a writer keeps for readers that connect later.
-    std::map<StateKey, wire::Sample> states;
-    std::list<wire::Sample> events;  ///< most channels never have one
-    /// Of the world, what is about two nodes only; and by either of the two.
-    std::map<StateKey, wire::LinkState> links;
-    std::map<NodeNumber, std::map<StateKey, const wire::LinkState*>> links_of;
+    std::unique_ptr<Kept> kept;  ///< most channels never have anything
   };
   using KeptState = std::pair<StateKey, wire::Sample>;
 
