@@ -241,6 +241,19 @@ TEST(DeadWhileAWaitBegins, TheLookThatWasMissedIsTakenBeforeItsGoalIsAchieved) {
   }
 }
 
+// Found by the long form: what happened meanwhile is told while the plan goes back on board, and
+// for a quarter of a second both have a task.
+TEST(DeadDuringAHandOver, TheSimulatorLeavesATaskThatIsBegunOnce) {
+  const Mission mission =
+      killed(scenario_at("handover/radio"), "sim", at(87.459668), Duration::seconds(60));
+
+  EXPECT_EQ(mission.count(
+                {{"kind", "functional"}, {"uav", "marvin"}, {"task", "106"}, {"state", "running"}}),
+            1U);
+  EXPECT_EQ(mission.untrue, "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
+}
+
 // ---- a functional layer that comes back with nothing it knew ----
 
 class LayerForgets : public ::testing::TestWithParam<std::string> {};

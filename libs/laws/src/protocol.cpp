@@ -46,17 +46,18 @@ class Checker {
   void hear(const lines::Task& line, const Written& when) {
     const Job job{line.uav, line.task};
     std::string& state = tasks_[{when.node, job.first, job.second}];
-    if (!may_follow(state, line.state) && !may_go_on(job, line.state))
+    if (!may_follow(state, line.state) && !may_go_on(when.node, job, line.state))
       breach(when.record, "a task goes from '" + state + "' to '" + line.state + "'");
     state = latest_[job] = line.state;
   }
 
   // What is not over may change hands with the degree: who takes it over goes on where the other
-  // was, or begins with telling that it has it.
+  // was, or begins with telling that it has it. The other one may not know yet, and goes on with
+  // what it took over itself before: each does so once.
   void hear(const lines::Degree& line, const Written&) {
     for (const auto& [job, state] : latest_)
       if (job.first == line.uav && state != "ended" && state != "aborted")
-        handed_over_[job] = state;
+        handed_over_[job] = {state, {}};
   }
 
   void hear(const lines::Command& line, const Written& when) {
@@ -137,6 +138,10 @@ class Checker {
     MissionTime issued;
     bool delivered = false, settled = false;
   };
+  struct HandedOver {
+    std::string state;               ///< as it was when the degree changed
+    std::set<std::string> taken_by;  ///< MLEs
+  };
   using Task = std::tuple<std::string, std::string, std::uint64_t>;  ///< MLE at, UAV, id
   using Job = std::pair<std::string, std::uint64_t>;                 ///< UAV, id
   using Channel = std::pair<std::string, std::string>;               ///< from, to
@@ -155,12 +160,10 @@ class Checker {
     return kAllowed.count({before, after}) > 0;
   }
 
-  bool may_go_on(const Job& job, const std::string& next) {
+  bool may_go_on(const std::string& mle, const Job& job, const std::string& next) {
     const auto handed = handed_over_.find(job);
-    if (handed == handed_over_.end()) return false;
-    const bool allowed = next == "scheduled" || may_follow(handed->second, next);
-    handed_over_.erase(handed);
-    return allowed;
+    if (handed == handed_over_.end() || !handed->second.taken_by.insert(mle).second) return false;
+    return next == "scheduled" || may_follow(handed->second.state, next);
   }
 
   void see_delivered(const Record& record, Command& command) {
@@ -209,8 +212,8 @@ class Checker {
   Duration command_limit_;
   MissionTime last_;
   std::map<Task, std::string> tasks_;
-  std::map<Job, std::string> latest_;       ///< whoever told it
-  std::map<Job, std::string> handed_over_;  ///< as it was when the degree changed
+  std::map<Job, std::string> latest_;  ///< whoever told it
+  std::map<Job, HandedOver> handed_over_;
   std::map<std::uint64_t, Command> commands_;
   std::set<Rendezvous> syncs_;
   std::map<Channel, std::set<std::uint64_t>> sent_;

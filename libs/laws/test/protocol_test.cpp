@@ -69,6 +69,19 @@ TEST(JournalLaws, ATaskGoesOnWithWhoTakesItOver) {
   EXPECT_THAT(broken_protocol(begun_again), IsEmpty());
 }
 
+// Found by killing each daemon at each event of a hand-over: the UAV has its plan back while the
+// ground station does not know yet, and begins what it had taken over itself.
+TEST(JournalLaws, BothGoOnWithATaskThatWasHandedToAndFroButEachOnce) {
+  const Log log{task(1, "scheduled"), degree(2), degree(3), task(4, "started", "ground"),
+                task(5, "scheduled")};
+  const Log twice{task(1, "scheduled"), degree(2), degree(3), task(4, "scheduled"),
+                  task(5, "scheduled")};
+
+  EXPECT_THAT(broken_protocol(log), IsEmpty());
+  EXPECT_THAT(broken_protocol(twice),
+              ElementsAre(HasSubstr("a task goes from 'scheduled' to 'scheduled'")));
+}
+
 TEST(JournalLaws, WhatIsOverIsNotTakenOver) {
   const Log log{task(1, "scheduled"), task(1, "started"), task(2, "ended"), degree(3),
                 task(4, "running", "ground")};
