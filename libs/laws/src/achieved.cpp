@@ -2,6 +2,7 @@
 // A goal reported achieved was done: perceptions, ways, takeoffs and landings, waits.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "checks.hpp"
 #include "skein/world/vehicle_model.hpp"
@@ -29,15 +30,31 @@ struct WantedLook {
   const mission::Argument* followed = nullptr;
 };
 
-/// Where it may take an object to be then: as was said until some time ago, or since.
+/// Where it may take an object to be then, if these are its relays: as was said until some time
+/// before it was last in reach, or since.
 std::vector<world::Vector3> places_heard(const History& history, const Uav& uav,
+                                         const std::set<std::string>& relays,
                                          const mission::Argument& object, double at) {
-  const double heard = history.joint.last_up("ground", uav.name(), at);
+  const double heard = history.joint.last_reached("ground", uav.name(), relays, at);
   std::vector<world::Vector3> places;
   if (const auto before = history.place(object, heard - kHeard)) places.push_back(*before);
   for (const ObjectTold& one : history.objects_told)
     if (mission::Argument(one.name) == object && heard - kHeard < one.told && one.told <= heard)
       places.push_back(one.position);
+  return places;
+}
+
+/// A relay that died may have passed words on, or not.
+std::vector<world::Vector3> places_heard(const History& history, const Uav& uav,
+                                         const mission::Argument& object, double at) {
+  const auto& named = history.scenario->radio.relays;
+  const std::set<std::string> all(named.begin(), named.end());
+  std::set<std::string> living = all;
+  std::erase_if(living, [&](const std::string& one) { return history.dead.contains(one); });
+  std::vector<world::Vector3> places = places_heard(history, uav, all, object, at);
+  if (living.size() == all.size()) return places;
+  const auto more = places_heard(history, uav, living, object, at);
+  places.insert(places.end(), more.begin(), more.end());
   return places;
 }
 
@@ -60,15 +77,19 @@ bool is_seen(const History& history, const Uav& uav, const Activity& look, const
   const world::Vector3 seen(place.x(), place.y(), std::max(place.z(), ground) + kSightAbove);
   const world::Vector3 eye = world::eye_of(uav.spec->model, sample.position);
   const world::Vector3 line = seen - eye;
+  const auto in_field = [&](const world::Vector3& axis, double off) {
+    const double angle = std::acos(std::clamp(axis.dot(line.normalized()), -1.0, 1.0));
+    return angle <= sensor->aperture + std::asin(std::min(1.0, off / line.norm()));
+  };
   if (line.norm() > sensor->range + wander(history, uav) + moves) return false;
   if (!history.terrain.line_of_sight(eye, seen, -kSightAbove)) return false;
   if (sensor->gimballed && look.target) {
-    return (look.target->head<2>() - place.head<2>()).norm() <= kNearby + moves;
+    const double off = (look.target->head<2>() - place.head<2>()).norm();
+    return off <= kNearby || (off <= kNearby + moves &&
+                              in_field((*look.target - eye).normalized(), wander(history, uav)));
   }
-  const world::Vector3 axis = world::direction_of(sample.heading, sensor->boresight_pitch);
-  const double angle = std::acos(std::clamp(axis.dot(line.normalized()), -1.0, 1.0));
-  const double lost = std::asin(std::min(1.0, (wander(history, uav) + moves) / line.norm()));
-  return angle <= sensor->aperture + lost;
+  return in_field(world::direction_of(sample.heading, sensor->boresight_pitch),
+                  wander(history, uav) + moves);
 }
 
 bool moves_at(const Uav& uav, double at) {

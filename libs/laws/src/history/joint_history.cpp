@@ -2,11 +2,14 @@
 #include "skein/laws/joint_history.hpp"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
+#include <utility>
 
 #include "skein/journal/hand_on.hpp"
 #include "skein/journal/lines/joint.hpp"
 #include "skein/journal/lines/radio.hpp"
+#include "ways.hpp"
 
 namespace skein::laws {
 
@@ -35,11 +38,22 @@ bool JointHistory::cut_off(const std::string& a, const std::string& b, double fr
   return steady(a, b, from, until) == false || steady(b, a, from, until) == false;
 }
 
-double JointHistory::last_up(const std::string& from, const std::string& to, double at) const {
+double JointHistory::last_reached(const std::string& from, const std::string& to,
+                                  const std::set<std::string>& relays, double at) const {
+  std::set<std::pair<std::string, std::string>> down;
+  const Carries carries = [&](const std::string& a, const std::string& b) {
+    return !down.contains({a, b});
+  };
   double last = at;
   for (const LinkTold& one : links) {
     if (one.at > at) break;
-    if (one.from == from && one.to == to) last = one.up ? at : std::min(last, one.at);
+    if (one.up) {
+      down.erase({one.from, one.to});
+    } else {
+      down.insert({one.from, one.to});
+    }
+    const bool reached = has_way(from, to, relays, relays.size() + 1, carries);
+    last = reached ? at : std::min(last, one.at);
   }
   return last;
 }

@@ -47,6 +47,10 @@ class Story {
     scenario_.world.terrain.hills.push_back(hill);
     return *this;
   }
+  Story& relay(const std::string& uav) {
+    scenario_.radio.relays.push_back(uav);
+    return *this;
+  }
   world::Terrain terrain() const { return world::Terrain(scenario_.world.terrain); }
 
   /// Telemetry once a second: from a to b in a straight line, level with a heading along it.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -97,8 +98,10 @@ struct JointHistory {
   void hear(const journal::lines::Place& line, const journal::Written& when);
   /// The radio was down between them, one way at least, for all of that time.
   bool cut_off(const std::string& a, const std::string& b, double from, double until) const;
-  /// The last instant until `at` at which it was up from the one to the other; 0: never.
-  double last_up(const std::string& from, const std::string& to, double at) const;
+  /// The last instant until `at` at which words went from the one to the other, over the link
+  /// itself or past relays; 0: never.
+  double last_reached(const std::string& from, const std::string& to,
+                      const std::set<std::string>& relays, double at) const;
   /// It was up from the one to the other for all of it.
   bool up(const std::string& from, const std::string& to, double since, double until) const;
   /// For how much of that time it was up from the one to the other [s].
