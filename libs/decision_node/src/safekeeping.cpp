@@ -16,6 +16,7 @@ namespace {
 constexpr Duration kFirstPause = Duration::milliseconds(10'000);
 constexpr Duration kLongestPause = Duration::milliseconds(60'000);
 constexpr Duration kEnergyAgain = Duration::milliseconds(5'000);
+constexpr double kAtHome = 1;  // [m]
 
 }  // namespace
 
@@ -96,26 +97,36 @@ bool Safekeeping::knows_world() const {
   return core_.config().knowledge && core_.deliberation().possible();
 }
 
-/// The first way-point is where it is.
-void Safekeeping::go(const std::vector<world::Vector3>& way) {
-  core_.own_tasks().start("goto",
-                          {elementary::points_parameter("waypoints", {way.begin() + 1, way.end()})},
-                          executive::InsertionMode::kVut);
+/// The first way-point is where it is then.
+void Safekeeping::go(const std::vector<world::Vector3>& way, executive::InsertionMode mode) {
+  core_.own_tasks().start(
+      "goto", {elementary::points_parameter("waypoints", {way.begin() + 1, way.end()})}, mode);
 }
 
 void Safekeeping::hold() {
   if (!leaves_to_) return core_.own_tasks().start("wait", {}, executive::InsertionMode::kVut);
-  go({*seen_at_, *leaves_to_});
+  go({*seen_at_, *leaves_to_}, executive::InsertionMode::kVut);
   core_.own_tasks().start("wait", {}, executive::InsertionMode::kNut);
 }
 
 void Safekeeping::come_home() {
-  const Config& config = core_.config();
-  const world::Vector3 home(config.home.at(0), config.home.at(1), config.home.at(2));
-  go(knows_world() && seen_at_ ? supervisor::own_way(config.knowledge, core_.deliberation().world(),
-                                                     core_.bus().now(), *seen_at_, home)
-                               : std::vector<world::Vector3>{home, home});
-  if (!config.drives) core_.own_tasks().start("land", {}, executive::InsertionMode::kNut);
+  const auto& place = core_.config().home;
+  const world::Vector3 home(place.at(0), place.at(1), place.at(2));
+  const auto end = core_.merging().way_home_begins();
+  if (end)
+    core_.bus().emit(Notice{
+        "flies its way to the end before it comes home: nobody can be asked for air on another"});
+  if (!end || (*end - home).norm() > kAtHome)
+    go(way_to(home, end ? end : seen_at_),
+       end ? executive::InsertionMode::kNut : executive::InsertionMode::kVut);
+  if (!core_.config().drives) core_.own_tasks().start("land", {}, executive::InsertionMode::kNut);
+}
+
+std::vector<world::Vector3> Safekeeping::way_to(const world::Vector3& home,
+                                                const std::optional<world::Vector3>& from) const {
+  if (!knows_world() || !from) return {home, home};
+  return supervisor::own_way(core_.config().knowledge, core_.deliberation().world(),
+                             core_.bus().now(), *from, home);
 }
 
 // A landing that the vehicle gave up is not its last: nobody else would bring it down.

@@ -47,7 +47,9 @@ class Safekeeping {
   bool may_be_on_its_way() const;
   bool is_idle() const;
   bool knows_world() const;
-  void go(const std::vector<world::Vector3>& way);
+  std::vector<world::Vector3> way_to(const world::Vector3& home,
+                                     const std::optional<world::Vector3>& from) const;
+  void go(const std::vector<world::Vector3>& way, executive::InsertionMode mode);
 
   Core& core_;
   ContactWatch contact_;

@@ -187,6 +187,11 @@ bool Merger::may_agree(const Peer& peer) const {
   return peer.reachable || (third_->reachable && peer.known);
 }
 
+bool Merger::can_ask() const {
+  return std::all_of(peers_.begin(), peers_.end(),
+                     [&](const auto& one) { return may_agree(one.second); });
+}
+
 /// In a life before this: requests have the time at which they were opened.
 bool Merger::may_have_been_promised(std::uint64_t request) const {
   return third_ && !first_life_ && request < Rising::least(*begun_ + kClocksApart);
@@ -252,10 +257,9 @@ void Merger::advance() {
     if (now_ < deadline_) return;
     close(limits_.patience);
   }
-  const bool can_ask = std::all_of(peers_.begin(), peers_.end(),
-                                   [&](const auto& one) { return may_agree(one.second); });
-  if (!can_ask && take_what_is_kept()) return;
-  if (can_ask && now_ >= pause_ && ask()) return;
+  const bool asks = can_ask();
+  if (!asks && take_what_is_kept()) return;
+  if (asks && now_ >= pause_ && ask()) return;
   say_waits();
   look_for_circle();
 }

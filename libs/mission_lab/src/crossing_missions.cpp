@@ -16,7 +16,9 @@ constexpr double kMiddle = 220;  // where ways cross [m]
 class CrossingDrawing {
  public:
   CrossingDrawing(std::uint64_t seed, const Kinds& kinds)
-      : random_(seed, "random crossing mission"), kinds_(kinds) {
+      : random_(seed, "random crossing mission"),
+        sweeps_(seed, "random crossing mission: sweeps"),
+        kinds_(kinds) {
     mission_.seed = seed;
   }
 
@@ -75,6 +77,21 @@ class CrossingDrawing {
     return name;
   }
 
+  /// A zone of the middle is mapped by a blimp, or searched for some minutes.
+  std::string new_sweep(const std::string& model) {
+    const std::string zone = "Z" + std::to_string(mission_.zones.size() + 1);
+    const double x = kMiddle + sweeps_.uniform(-120, 40), y = kMiddle + sweeps_.uniform(-120, 40);
+    const double east = x + sweeps_.uniform(60, 120), north = y + sweeps_.uniform(60, 120);
+    mission_.zones.push_back(zone + ": [[" + whole(x) + ", " + whole(y) + "], [" + whole(east) +
+                             ", " + whole(y) + "], [" + whole(east) + ", " + whole(north) + "], [" +
+                             whole(x) + ", " + whole(north) + "]]");
+    if (model == "karma") return "[perform-mapping, " + zone + "]";
+    mission_.places.push_back("A" + std::to_string(mission_.places.size() + 1) + ": [" +
+                              whole((x + east) / 2) + ", " + whole((y + north) / 2) + ", 0]");
+    return "[perform-detection, " + zone + ", A" + std::to_string(mission_.places.size()) + ", " +
+           whole(sweeps_.uniform(60, 300)) + "]";
+  }
+
   // To the other side, once or more, with a look now and then, and home.
   void draw_work(const Member& one) {
     const std::size_t who = next_++;
@@ -93,11 +110,13 @@ class CrossingDrawing {
                                 : "[general-gotoxyz, " + place + "]",
                             ""});
     }
+    if (kinds_.sweeps && sweeps_.chance(0.4))
+      step.tasks.push_back({goal + static_cast<int>(step.tasks.size()), new_sweep(one.model), ""});
     step.tasks.push_back({goal + static_cast<int>(step.tasks.size()), "[general-land]", ""});
     mission_.steps.push_back(std::move(step));
   }
 
-  Random random_;
+  Random random_, sweeps_;  ///< what is drawn of others does not depend on sweeps
   Kinds kinds_;
   Mission mission_;
   double pad_ = 0, radius_ = 0;

@@ -34,9 +34,9 @@ struct Options {
   std::vector<std::string> files, without;
   std::string save, consistency;
   bool clean = false, deaths = false, team = false, crossing = false, merged = false,
-       unmerged = false, meetings = false, orders = false, gatherings = false, robots = false,
-       relays = false, fires = false, hands = false, mixed = false, json = false, minimise = false,
-       verbose = false;
+       unmerged = false, sweeps = false, meetings = false, orders = false, gatherings = false,
+       robots = false, relays = false, fires = false, hands = false, mixed = false, json = false,
+       minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -48,6 +48,7 @@ Kinds kinds_of(const Options& options) {
   if (!options.consistency.empty()) kinds.consistency = options.consistency;
   kinds.gatherings = options.gatherings;
   kinds.orders = options.orders;
+  kinds.sweeps = options.sweeps;
   for (const std::string& name : options.without) {
     if (name == "faults") kinds.faults = false;
     if (name == "air") kinds.air = false;
@@ -179,6 +180,8 @@ void declare(CLI::App& app, Options& options) {
   auto* team = app.add_flag("--team", options.team, "teams at degree 5 with a global mission");
   auto* crossing =
       app.add_flag("--crossing", options.crossing, "teams at degree 4 whose ways cross");
+  app.add_flag("--sweeps", options.sweeps, "with --crossing: some map or search what lies between")
+      ->needs(crossing);
   auto* merged = app.add_flag("--merged", options.merged, "UAVs of any kind merge their ways");
   app.add_flag("--unmerged", options.unmerged, "nobody asks for his air, and it is judged")
       ->excludes(merged);

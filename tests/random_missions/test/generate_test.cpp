@@ -70,6 +70,23 @@ TEST(Generate, CrossingMissionsAreScenariosInWhichSomeUavsShareAPad) {
   EXPECT_GT(shared, 10);
 }
 
+TEST(Generate, SweepsOfCrossingMissionsChangeNothingElse) {
+  Kinds kinds;
+  kinds.sweeps = true;
+  std::string all;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Mission swept = generate_crossing(seed, kinds);
+    EXPECT_THAT(problems_of(to_yaml(swept, "..")), IsEmpty()) << "seed " << seed;
+    all += to_yaml(swept, "..");
+    const Mission plain = generate_crossing(seed, {});
+    ASSERT_EQ(swept.team.size(), plain.team.size());
+    for (std::size_t i = 0; i < plain.team.size(); ++i)
+      EXPECT_EQ(swept.team[i].more, plain.team[i].more);
+  }
+  EXPECT_THAT(all, HasSubstr("[perform-mapping, Z"));
+  EXPECT_THAT(all, HasSubstr("[perform-detection, Z"));
+}
+
 TEST(Generate, MixedMissionsAreScenariosThatHaveAllOfIt) {
   std::string all;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

@@ -166,4 +166,11 @@ Airways Merging::places_aside(const merging::Volumes& taken, const std::vector<d
   return aside;
 }
 
+std::optional<world::Vector3> Merging::way_home_begins() const {
+  if (!merger_ || merger_->can_ask() || home_.choices().empty()) return std::nullopt;
+  const bool flies = flown_ && !flown_->over && flown_->airway.way;
+  const bool of_a_task = flies && flown_->airway.request.id < kFirstAside;
+  return of_a_task ? flown_->airway.end : std::nullopt;
+}
+
 }  // namespace skein::decision_node

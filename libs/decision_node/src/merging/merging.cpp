@@ -2,6 +2,7 @@
 #include "merging/merging.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core.hpp"
 #include "skein/elementary/parameter_reader.hpp"

@@ -37,6 +37,9 @@ class Merging final : public Component {
   bool told(const functional::Status& status);
   /// There it could come and stay beside others, wherever they stay or will.
   std::function<bool(const world::Vector3&)> free_to_stay() const;
+  /// Where its flight ends, from where its way home is kept for it while it can ask nobody: stopped
+  /// before, it would hold. Nothing: it may as well be stopped.
+  std::optional<world::Vector3> way_home_begins() const;
   void begin(const Started& started);
   void hear(const MergeTold& told);
   void contact(const Contact& contact);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "skein/supervisor/own_ways.hpp"
 #include "testing/merged_team.hpp"
 
 namespace skein::decision_node {
@@ -400,6 +401,57 @@ TEST(Merging, WhileOneIsOutOfReachNobodyElseTakesItsAirHome) {
   team.run(4);
   EXPECT_THAT(team.begun("marvin"), IsEmpty());
   team.run(60);
+  EXPECT_NEAR(team.state("heliv").position.norm(), 0, 1);
+}
+
+// What is kept for it begins where its flight ends; stopped half-way it would hold there until its
+// energy lasts no longer than to come home.
+TEST(Merging, WhoCanAskNobodyHalfWayAlongAFlightFliesItToItsEndAndThenHome) {
+  MergedTeam team({{"marvin", {0, 300, 40}}, {"heliv", {100, 0, 40}}}, 4, ContactPolicy::kReturn);
+  team.command("heliv", goto_of(7, {100, 200, 40}));
+  team.run(3);
+  ASSERT_THAT(team.begun("heliv"), ElementsAre(7U));
+  team.cut_from_all("heliv");
+  team.run(6);
+  ASSERT_FALSE(team.is_over("heliv", 7)) << "its policy is due half-way";
+  team.run(90);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+  EXPECT_NEAR(team.state("heliv").position.norm(), 0, 1);
+}
+
+TEST(Merging, WhoLosesContactOnceMoreOnItsWayHomeGoesOn) {
+  MergedTeam team({{"marvin", {0, 300, 40}}, {"heliv", {200, 0, 40}}}, 4, ContactPolicy::kReturn);
+  team.run(3);
+  team.cut_from_all("heliv");
+  team.run(10);
+  team.heal_with_ground("heliv");
+  team.run(1);
+  team.cut_from_ground("heliv");
+  team.run(120);
+  EXPECT_NEAR(team.state("heliv").position.norm(), 0, 1);
+  for (const executive::TaskEvent& one : team.events("heliv"))
+    EXPECT_FALSE(one.type == "goto" && one.state == TaskState::kAborted) << one.reason;
+}
+
+TEST(Merging, AWayHomeFromHomeHasAnEnd) {
+  const auto knowledge = testing::knowledge_of("heliv");
+  const world::AirspaceGrid air{{-400, -400, 0}, 20, {40, 40, 12}};
+  const world::Volume smoke{"smoke", {{100, 100}, {140, 100}, {140, 140}}, 0, 100, {}};
+  const auto beside_smoke = std::make_shared<world::World>(
+      world::World{{}, *MergedTeam::level_ground(), {}, air, {smoke}, {}, {}, {}, {}});
+  const world::Vector3 home(0, 0, 50);
+  EXPECT_GE(supervisor::own_way(knowledge, beside_smoke, {}, home, home).size(), 2U);
+}
+
+TEST(Merging, WhoCanAskTheOthersHalfWayComesHomeFromThere) {
+  MergedTeam team({{"marvin", {0, 300, 40}}, {"heliv", {100, 0, 40}}}, 4, ContactPolicy::kReturn);
+  team.command("heliv", goto_of(7, {100, 200, 40}));
+  team.run(3);
+  team.cut_from_ground("heliv");
+  team.run(8);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+  EXPECT_LT(team.state("heliv").position.y(), 190);
+  team.run(90);
   EXPECT_NEAR(team.state("heliv").position.norm(), 0, 1);
 }
 

@@ -105,6 +105,13 @@ class MergedTeam {
     run(1.5);
   }
 
+  static std::shared_ptr<const world::Terrain> level_ground() {
+    world::TerrainSpec spec;
+    spec.west = spec.south = -1000;
+    spec.east = spec.north = 1000;
+    return std::make_shared<world::Terrain>(spec);
+  }
+
   void command(const std::string& uav, mission::Request request) {
     give(uav, Command{{1, ++commands_}, std::move(request)});
   }
@@ -144,8 +151,17 @@ class MergedTeam {
   void cut_from_all(const std::string& uav) {
     for (const std::string& other : names_)
       if (other != uav) cut(uav, other);
+    cut_from_ground(uav);
+  }
+
+  void cut_from_ground(const std::string& uav) {
     cut_.insert({uav, kGround});
     give(uav, Contact{kGround, true, false});
+  }
+
+  void heal_with_ground(const std::string& uav) {
+    cut_.erase({uav, kGround});
+    give(uav, Contact{kGround, true, true});
   }
 
   /// Of the UAV's tasks, in the order in which they began to be flown.
@@ -177,13 +193,6 @@ class MergedTeam {
     bool is_put_down = false;
     int flown = 0;  ///< [0.1 s]
   };
-
-  static std::shared_ptr<const world::Terrain> level_ground() {
-    world::TerrainSpec spec;
-    spec.west = spec.south = -1000;
-    spec.east = spec.north = 1000;
-    return std::make_shared<world::Terrain>(spec);
-  }
 
   void wake(const std::string& name) {
     constexpr int kMost = 20;

@@ -39,7 +39,7 @@ std::vector<Vector3> own_way(const std::shared_ptr<const Knowledge>& knowledge,
   if (world->volumes.empty() && !knowledge->vehicle.ground) return {from, to};
   Refinery refinery(Gazetteer(knowledge, world), now, kSeed);
   const auto way = refinery.ways.path(from, to);
-  return way ? way->way : std::vector<Vector3>{from, to};
+  return way && way->way.size() > 1 ? way->way : std::vector<Vector3>{from, to};
 }
 
 }  // namespace skein::supervisor

@@ -144,6 +144,8 @@ class Merger {
 
   const Volumes& held() const { return held_; }
   bool waits() const { return !choices_.empty(); }
+  /// For each other one there is somebody who can say whether it may have air.
+  bool can_ask() const;
   /// What others hold, were granted, or want (with a request or not), as far as it knows.
   Volumes others() const;
   /// What others hold, and what they have asked for, granted or not; of `wanting` what they want,

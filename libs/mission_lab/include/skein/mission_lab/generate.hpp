@@ -27,6 +27,7 @@ struct Kinds {
   std::string_view consistency = "dip-m";
   bool gatherings = false;  ///< among their meetings a joint task of two of them
   bool orders = false;      ///< they fly at one height, and merge their ways
+  bool sweeps = false;      ///< of UAVs whose ways cross some map or search what lies in the middle
 };
 /// Nothing goes wrong, and what is asked is possible.
 inline constexpr Kinds kClean{false, false, false, false, false, false,
@@ -38,7 +39,7 @@ Mission generate(std::uint64_t seed, const Kinds& kinds);
 /// and faults count.
 Mission generate_team(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to eight UAVs at degree 4 whose ways cross, with wind, some from shared pads; of
-/// the kinds, radio, deaths and merged count.
+/// the kinds, radio, deaths, merged and sweeps count.
 Mission generate_crossing(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to five UAVs at degree 4 that meet each other, with wind; of the kinds, deadlines,
 /// radio, deaths, faults (two who wait for each other for ever), consistency, gatherings and orders
