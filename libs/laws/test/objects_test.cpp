@@ -60,5 +60,37 @@ TEST(FiresLaw, AFireThatShrinksOrWandersBreaksIt) {
   EXPECT_EQ(blaze().burns(90, {130, 50}, 15, 12).broken("fires").size(), 1U);
 }
 
+// ---- perceived ----
+
+// What follows an object that moves looks at (150, 60) from 80 to 140 s; at 20 s it was said to be
+// there, and at 70 s elsewhere.
+Story look_at_a_front(const world::Vector3& at_seventy,
+                      const world::Vector3& from = {130, 60, 40}) {
+  Story story;
+  story.relay("heliv").object_seen(20, 20, {150, 60, 0}, 2).object_seen(70, 70, at_seventy, 2);
+  story.flies("marvin", 0, 200, from, from);
+  story.goal("marvin", 701, "perceive fire-front 60", "received", 1);
+  story.does("marvin", {101, "takeshot", 701, 80, 140, "ended", "visible", {150, 60, 0}});
+  story.goal("marvin", 701, "perceive fire-front 60", "achieved", 140);
+  return story;
+}
+
+// Found by --mixed 149: a robot out of the ground station's sight, heard past two helicopters.
+TEST(PerceivedLaw, WhatMovesIsLookedAtWhereItWasSaidToBeEvenPastARelay) {
+  Story heard = look_at_a_front({250, 60, 0}), deaf = heard;
+  heard.link(60, "ground", "marvin", false);
+  deaf.link(60, "ground", "marvin", false).link(60, "heliv", "marvin", false);
+
+  EXPECT_THAT(heard.broken("perceived"), ElementsAre(HasSubstr("of 60.0 s")));
+  EXPECT_THAT(deaf.broken("perceived"), IsEmpty()) << "it was told of the first place only";
+}
+
+TEST(PerceivedLaw, WhatMovedIsInTheFieldOfTheDeviceAsItIsAimed) {
+  const world::Vector3 moved{168, 60, 0}, low{150, 55, 8};
+
+  EXPECT_THAT(look_at_a_front(moved).broken("perceived"), IsEmpty());
+  EXPECT_THAT(look_at_a_front(moved, low).broken("perceived"), ElementsAre(HasSubstr("of 60.0 s")));
+}
+
 }  // namespace
 }  // namespace skein::laws
