@@ -196,6 +196,11 @@ std::set<TaskId> Book::loose_motion(TaskId next) const {
   return result;
 }
 
+bool Book::is_led_away() const {
+  return std::any_of(loose.begin(), loose.end(),
+                     [](const auto& one) { return one.second.leads_away; });
+}
+
 std::set<TaskId> Book::loose_users_of(const std::string& device) const {
   std::set<TaskId> result;
   for (const auto& [id, entry] : tasks) {
@@ -256,7 +261,8 @@ std::optional<TaskId> Book::in_the_way() const {
                                   [](const auto& one) { return one.second.holds_vehicle; });
   const bool waits = std::any_of(tasks.begin(), tasks.end(), [&](const auto& one) {
     const Entry& entry = one.second;
-    return entry.given() && !entry.over() && !entry.seen.started && is_due(entry);
+    const bool held = entry.given() ? is_due(entry) : is_led_away();
+    return !entry.over() && !entry.seen.started && held;
   });
   return first != loose.end() && waits ? std::optional(first->first) : std::nullopt;
 }

@@ -42,9 +42,10 @@ struct Loose {
   std::string type;
   bool ours = false;
   bool holds_vehicle = false;
-  bool stopping = false;  ///< told to by us
-  bool ran = false;       ///< the vehicle took it
-  bool begun = false;     ///< its executive started it
+  bool stopping = false;    ///< told to by us
+  bool ran = false;         ///< the vehicle took it
+  bool begun = false;       ///< its executive started it
+  bool leads_away = false;  ///< an operator's: where the vehicle is once it is over, nobody knows
 };
 
 /// True for a task whose way to end is being told so: it never counts as ended for the executive.
@@ -106,6 +107,8 @@ class Book {
   std::set<TaskId> loose_motion(TaskId next) const;
   /// Likewise, those that use the device.
   std::set<TaskId> loose_users_of(const std::string& device) const;
+  /// An operator's task is not over after which the vehicle is elsewhere.
+  bool is_led_away() const;
   /// Open-ended tasks that wait for orders and are not over.
   std::vector<const Entry*> waits_for_orders() const;
   /// Something that is to go on is under way, or moves or holds the vehicle and begins by `soon`,

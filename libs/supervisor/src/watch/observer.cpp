@@ -91,9 +91,13 @@ void Observer::see_loose(const executive::TaskEvent& event) {
   }
   const auto known = book_.loose.find(event.id);
   if (!is_terminal(event.state)) {
-    const bool holds = functional::TaskTypes::shipped().of(event.type).holds_vehicle();
+    const functional::TaskType& type = functional::TaskTypes::shipped().of(event.type);
     Loose& one = known != book_.loose.end() ? known->second : book_.loose[event.id];
-    if (known == book_.loose.end()) one = {.type = event.type, .holds_vehicle = holds};
+    if (known == book_.loose.end()) {
+      one = {.type = event.type, .holds_vehicle = type.holds_vehicle()};
+      one.leads_away =
+          event.id < functional::kFirstPlayedId && type.motion == functional::Motion::kMoves;
+    }
     one.begun = one.begun || event.state != TaskState::kScheduled;
     one.ran = one.ran || event.state == TaskState::kRunning;
     return;
@@ -101,8 +105,11 @@ void Observer::see_loose(const executive::TaskEvent& event) {
   if (known == book_.loose.end()) return;
   if (known->second.ours && !known->second.stopping)
     safe_mode_.pause_until(now() + retry_after(known->second, event.reason));
+  const bool led_away = known->second.leads_away && known->second.begun;
   book_.forgotten.set(event.id.value(), 1);
   book_.loose.erase(known);
+  if (led_away && !book_.is_led_away() && !book_.free_goals().empty())
+    agenda_.plan_anew(std::nullopt, false, "task " + to_text(event.id) + " of an operator is over");
 }
 
 // Of what keeps it safe: sooner where it did run, and something else took its place; and of the

@@ -12,6 +12,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 using ::testing::Not;
 
 // ---- devices ----
@@ -167,19 +168,23 @@ TEST(SupervisorSafety, TriesARefusedWaitAgainLater) {
   EXPECT_THAT(desk.requests(), ElementsAre("START 104"));
 }
 
-TEST(SupervisorSafety, WaitsForWhatOthersFly) {
+// Found by random missions (--hands 2459): its way began where the UAV had been when it was
+// planned, and led through closed air.
+TEST(SupervisorSafety, WaitsForWhatOthersFlyAndPlansAnewFromWhereThatHasLedIt) {
   Desk desk = Desk::engaged();
   desk.seen(7, TaskState::kScheduled, "", "goto");
   desk.seen(7, TaskState::kStarted, "", "goto");
   desk.add(a_mission(1, {701}));
   EXPECT_EQ(desk.insertion().base.situation.motion.after,
             (mission::Dependence{mission::DependenceKind::kOver, TaskId{7}}));
-
   desk.finish(inserted({701}, {TaskOf(100, "goto", 701)}));
+  EXPECT_THAT(desk.requests(), IsEmpty());
 
-  ASSERT_EQ(desk.started(100)->task.preconditions.size(), 1U);
-  EXPECT_EQ(desk.started(100)->task.preconditions[0][0].condition,
-            executive::Condition(executive::TaskInState{TaskId{7}}));
+  desk.seen(7, TaskState::kEnded, "", "goto");
+
+  EXPECT_THAT(desk.repair().remaining, SizeIs(1));
+  desk.finish(repaired(RepairStep::kReplan, {701}, {TaskOf(101, "goto", 701)}));
+  EXPECT_THAT(desk.requests(), ElementsAre("START 101"));
 }
 
 // ---- joint tasks ----
