@@ -22,12 +22,14 @@ namespace {
 
 constexpr double kSpacing = 2;  // turn radii between points of arcs: none is circled then
 constexpr double kPlastic = 0.7548776662466927;  // 1 / 1.3247…, the root of x³ = x + 1
-constexpr int kSamples = 2400;                   // of a zone's box, to see what is seen of it
-constexpr double kRunIn = 3;                     // turn radii before the first lane
+// Of a zone's box, to see what is seen of it: of a gap of 1 % some ten to twenty.
+constexpr int kSamples = 2400;
+constexpr double kRunIn = 3;  // turn radii before the first lane
 // Waiting circles' radii, straight before a lane that is taken up again.
 constexpr double kRunInAgain = 2;
 constexpr double kLaneSpacing = 2.5;  // turn radii between way-points along lanes
 constexpr int kJoined = 2;            // way-points that bring one that hovers back on its lane
+constexpr double kMostCells = 200;    // along a side of its box
 constexpr double kSeenEnough = 0.998;
 constexpr double kSureShare = 1.4;  // deviations by which it may see less far
 
@@ -39,12 +41,52 @@ struct Reach {
   double over(double height) const { return width * std::min(1.0, height / altitude) - unsure; }
 };
 
+/// Places of a track in square cells over a box and around it: what is within a cell's side of a
+/// place in the box lies in the nine cells around that.
+class TrackCells {
+ public:
+  TrackCells(const Box& box, double side, const std::vector<Vector3>& track, std::size_t stride)
+      : low_(box.low),
+        side_(side),
+        columns_(1 + cell(box.high.x() - box.low.x()) + 1),
+        rows_(1 + cell(box.high.y() - box.low.y()) + 1),
+        cells_(static_cast<std::size_t>(columns_ * rows_)) {
+    for (std::size_t t = 0; t < track.size(); t += stride) {
+      const long x = cell(track[t].x() - low_.x()), y = cell(track[t].y() - low_.y());
+      if (x < 0 || y < 0 || x >= columns_ || y >= rows_) continue;
+      cells_[static_cast<std::size_t>(y * columns_ + x)].push_back(track[t]);
+    }
+  }
+
+  bool any_around(const Vector2& at, const auto& is_wanted) const {
+    const long x = cell(at.x() - low_.x()), y = cell(at.y() - low_.y());
+    for (long row = y - 1; row <= y + 1; ++row) {
+      for (long column = x - 1; column <= x + 1; ++column) {
+        const auto& one = cells_[static_cast<std::size_t>(row * columns_ + column)];
+        if (std::any_of(one.begin(), one.end(), is_wanted)) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  /// The first begins a side before the box.
+  long cell(double offset) const { return 1 + static_cast<long>(std::floor(offset / side_)); }
+
+  Vector2 low_;
+  double side_;
+  long columns_, rows_;
+  std::vector<std::vector<Vector3>> cells_;
+};
+
 /// Part of the zone that is within reach of some sample of the track. Of places that lie in no rows
 /// (the additive sequence of the plastic number): a narrow strip between two lanes is not missed.
 double seen_part(const Polygon& zone, const world::Terrain& terrain,
                  const std::vector<Vector3>& track, std::size_t stride, const Reach& reach) {
   const Box box = box_of(zone);
   const Vector2 size = box.high - box.low;
+  const double side = std::max(reach.width, size.maxCoeff() / kMostCells);
+  const TrackCells cells(box, side, track, stride);
   std::size_t all = 0, seen = 0;
   for (int i = 0; i < kSamples; ++i) {
     const Vector2 at = box.low + Vector2(std::fmod(0.5 + kPlastic * i, 1) * size.x(),
@@ -52,11 +94,10 @@ double seen_part(const Polygon& zone, const world::Terrain& terrain,
     if (!world::contains(zone, at)) continue;
     ++all;
     const double ground = terrain.elevation(at.x(), at.y());
-    for (std::size_t t = 0; t < track.size(); t += stride) {
-      if ((track[t].head<2>() - at).norm() > reach.over(track[t].z() - ground)) continue;
-      ++seen;
-      break;
-    }
+    const bool is_seen = cells.any_around(at, [&](const Vector3& from) {
+      return (from.head<2>() - at).norm() <= reach.over(from.z() - ground);
+    });
+    seen += is_seen ? 1 : 0;
   }
   return all == 0 ? 1 : static_cast<double>(seen) / static_cast<double>(all);
 }
