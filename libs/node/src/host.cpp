@@ -299,7 +299,7 @@ void Host::send(const Send& one, Now now) {
     unsettled_[{one.to, *sent >= blackboard::kFirstLongEvent}].last = *sent;
   const bool radio = is_radio_peer(roster_, one.to) && is_radio_peer(roster_, self_.number);
   if (radio && wire::slot_class(slot) == wire::SlotClass::kEvent) {
-    log_message(slot, self_.name, roster_.name_of(one.to), *sent, "sent", now);
+    log_message(one.sample, self_.name, roster_.name_of(one.to), *sent, "sent", now);
   }
 }
 
@@ -385,7 +385,7 @@ void Host::take_received(blackboard::Received received, Now now) {
   const wire::Slot slot = wire::slot_of(received.sample);
   if (received.channel == ChannelKind::kRadio &&
       wire::slot_class(slot) == wire::SlotClass::kEvent) {
-    log_message(slot, roster_.name_of(received.origin), self_.name,
+    log_message(received.sample, roster_.name_of(received.origin), self_.name,
                 wire::header_of(received.sample).sequence_number, "received", now);
   }
   give(Received{received.origin, std::move(received.sample)}, now);
@@ -433,14 +433,19 @@ void Host::log_unsent(wire::Slot slot, const std::string& to, blackboard::Refusa
   log(lines::Unsent{wire::slot_name(slot), to, blackboard::name_of(why)}, now);
 }
 
-void Host::log_message(wire::Slot slot, const std::string& from, const std::string& to,
+void Host::log_message(const wire::Sample& sample, const std::string& from, const std::string& to,
                        std::uint64_t sequence, const char* direction, Now now) {
-  log(lines::Message{.slot = wire::slot_name(slot),
-                     .from = from,
-                     .to = to,
-                     .sequence = sequence,
-                     .direction = direction},
-      now);
+  lines::Message line{.slot = wire::slot_name(wire::slot_of(sample)),
+                      .from = from,
+                      .to = to,
+                      .sequence = sequence,
+                      .direction = direction};
+  if (const auto* negotiation = std::get_if<wire::NegotiationMessage>(&sample)) {
+    line.subject = negotiation->subject;
+    line.opener = negotiation->opener;
+    line.opened = MissionTime::nanoseconds(negotiation->opened).to_seconds();
+  }
+  log(line, now);
 }
 
 }  // namespace skein::node

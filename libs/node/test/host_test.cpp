@@ -94,37 +94,6 @@ TEST_F(Hosts, ANodeCanPublishToTheWorld) {
   EXPECT_TRUE(std::get<wire::MissionState>((*this)["sim"].world[0]).finished);
 }
 
-TEST_F(Hosts, EventsOverRadioAreLoggedAtBothEnds) {
-  meet();
-
-  act("ground", {Send{number("marvin"), abort_request(7)}});
-  settle();
-
-  EXPECT_EQ((*this)["ground"].lines("message"),
-            (std::vector<std::string>{
-                R"({"at":0.2,"node":"ground","kind":"message","slot":"TaskRequest",)"
-                R"("from":"ground","to":"marvin","sequence":1,"direction":"sent"})"}));
-  EXPECT_EQ((*this)["marvin"].lines("message"),
-            (std::vector<std::string>{
-                R"({"at":0.2,"node":"marvin","kind":"message","slot":"TaskRequest",)"
-                R"("from":"ground","to":"marvin","sequence":1,"direction":"received"})"}));
-}
-
-TEST_F(Hosts, StatesStreamsAndOnboardEventsAreNoMessages) {
-  meet();
-
-  act("marvin",
-      {Send{number("ground"), wire::PlanBoard{}}, Send{number("ground"), wire::Telemetry{}},
-       Send{number("sim"), wire::FunctionalRequest{}}});
-  settle();
-
-  EXPECT_EQ((*this)["ground"].diary.all<Received>().size(), 2U);
-  EXPECT_EQ((*this)["sim"].diary.samples<wire::FunctionalRequest>().size(), 1U);
-  for (const char* name : {"marvin", "ground", "sim"}) {
-    EXPECT_TRUE((*this)[name].lines("message").empty()) << name;
-  }
-}
-
 TEST_F(Hosts, AnEventWaitsForALinkThatIsDown) {
   meet();
   set_link("ground", "marvin", false);

@@ -126,6 +126,31 @@ TEST_F(JointView, ASessionHasItsMembersStepsAndMessages) {
   EXPECT_FALSE(sessions[0].messages[1].received);
 }
 
+// Two sessions at one time, and an echo after the end of one.
+TEST(JointStory, AMessageBelongsToTheSessionThatItNames) {
+  const auto read = salvage(
+      R"({"at":5,"node":"uav1","kind":"negotiation","uav":"uav1","joint":"watch/roles","modality":"role-allocation","opener":"uav1","opened":5,"state":"offered","rows":"perceive 3"}
+{"at":5,"node":"uav2","kind":"negotiation","uav":"uav2","joint":"watch/roles","modality":"role-allocation","opener":"uav2","opened":5,"state":"offered","rows":"perceive 4"}
+{"at":5,"node":"uav1","kind":"message","slot":"NegotiationMessage","from":"uav1","to":"uav2","sequence":1,"direction":"sent","subject":"watch/roles","opener":"uav1","opened":5}
+{"at":5,"node":"uav2","kind":"message","slot":"NegotiationMessage","from":"uav2","to":"uav1","sequence":1,"direction":"sent","subject":"watch/roles","opener":"uav2","opened":5}
+{"at":5.2,"node":"uav2","kind":"message","slot":"NegotiationMessage","from":"uav1","to":"uav2","sequence":1,"direction":"received","subject":"watch/roles","opener":"uav1","opened":5}
+{"at":6,"node":"uav2","kind":"negotiation","uav":"uav2","joint":"watch/roles","modality":"role-allocation","opener":"uav1","opened":5,"state":"agreed","rows":"uav1 perceive"}
+{"at":6.5,"node":"uav2","kind":"message","slot":"NegotiationMessage","from":"uav2","to":"uav1","sequence":2,"direction":"sent","subject":"watch/roles","opener":"uav1","opened":5}
+)");
+  ASSERT_TRUE(read.errors.empty());
+
+  const auto sessions = tell_joint_tasks(read.journal, tell({}, read.journal)).sessions;
+
+  ASSERT_EQ(sessions.size(), 2U);
+  ASSERT_EQ(sessions[0].messages.size(), 2U);
+  EXPECT_EQ(sessions[0].messages[0].from, "uav1");
+  EXPECT_EQ(sessions[0].messages[0].received, 5.2);
+  EXPECT_EQ(sessions[0].messages[1].sent, 6.5);
+  ASSERT_EQ(sessions[1].messages.size(), 1U);
+  EXPECT_EQ(sessions[1].messages[0].from, "uav2");
+  EXPECT_EQ(sessions[1].members, (std::vector<std::string>{"uav1", "uav2"}));
+}
+
 TEST_F(JointView, TheTimelineShowsRolesBlocksAndViolations) {
   const std::string page = written(write_timeline);
 

@@ -60,12 +60,15 @@ SyncRecord to_record(lines::Sync&& l, FieldReader& f) {
           state<Direction>(f, "direction", l.direction, kDirections)};
 }
 MessageRecord to_record(lines::Message&& l, FieldReader& f) {
+  std::optional<SessionName> session;
+  if (l.opened) session = SessionName{std::move(l.subject), std::move(l.opener), *l.opened};
   return {{},
           std::move(l.slot),
           std::move(l.from),
           std::move(l.to),
           l.sequence,
-          state<Direction>(f, "direction", l.direction, kDirections)};
+          state<Direction>(f, "direction", l.direction, kDirections),
+          std::move(session)};
 }
 LinkRecord to_record(lines::Link&& l, FieldReader&) {
   return {{}, std::move(l.from), std::move(l.to), l.up};

@@ -79,6 +79,7 @@ struct Flight {
   std::uint64_t sequence = 0;
   std::optional<double> sent;
   std::optional<double> received;
+  std::optional<SessionName> session = {};  ///< that it is about
 };
 
 /// Truth and belief about one pair of nodes; `first` < `second`.

@@ -77,20 +77,17 @@ class Teller {
   }
 
   void see_negotiation(double t, const lines::Negotiation& line) {
-    const std::tuple<std::string, std::string, double> key{line.joint, line.opener, line.opened};
+    const SessionName key{line.joint, line.opener, line.opened};
     auto known = sessions_.find(key);
     if (known == sessions_.end()) {
       known = sessions_.emplace(key, told_.sessions.size()).first;
-      told_.sessions.push_back(
-          {std::get<0>(key), line.modality, std::get<1>(key), std::get<2>(key), {}, {}, {}});
+      told_.sessions.push_back({key, line.modality, {}, {}, {}});
     }
     SessionStory& session = told_.sessions[known->second];
     const bool shares = session.modality == "area-sharing" && line.state == "agreed";
     if (shares && shared_.insert(key).second) see_parts(t, line);
     const std::string uav = line.uav, rows = line.rows;
-    auto& members = session.members;
-    const auto place = std::lower_bound(members.begin(), members.end(), uav);
-    if (place == members.end() || *place != uav) members.insert(place, uav);
+    add_member(session, uav);
     session.steps.push_back({t, uav, line.state, rows.empty() ? line.why : rows});
   }
 
@@ -136,16 +133,27 @@ class Teller {
     }
   }
 
-  // Messages are not told apart by session: those on their way while it lasted.
+  static void add_member(SessionStory& session, const std::string& uav) {
+    auto& members = session.members;
+    const auto place = std::lower_bound(members.begin(), members.end(), uav);
+    if (place == members.end() || *place != uav) members.insert(place, uav);
+  }
+
+  // Of journals that do not say what a message is about: those on their way while it lasted.
   void add_messages(SessionStory& session) const {
+    const std::vector<std::string> told_by = session.members;
     const double until = session.steps.back().t;
-    const auto is_member = [&](const std::string& name) {
-      return std::binary_search(session.members.begin(), session.members.end(), name);
+    const auto has_told = [&](const std::string& name) {
+      return std::binary_search(told_by.begin(), told_by.end(), name);
     };
     for (const Flight& flight : story_.messages) {
       if (flight.what != "NegotiationMessage" || !flight.sent) continue;
-      if (*flight.sent < session.opened || *flight.sent > until) continue;
-      if (is_member(flight.from) && is_member(flight.to)) session.messages.push_back(flight);
+      const bool meanwhile = *flight.sent >= session.name.opened && *flight.sent <= until &&
+                             has_told(flight.from) && has_told(flight.to);
+      if (flight.session ? *flight.session != session.name : !meanwhile) continue;
+      add_member(session, flight.from);
+      add_member(session, flight.to);
+      session.messages.push_back(flight);
     }
   }
 
@@ -153,8 +161,8 @@ class Teller {
   JointTasks& told_;
   std::map<std::pair<std::string, std::string>, std::size_t> open_joints_;
   std::map<std::tuple<std::string, std::string, std::string>, std::size_t> open_violations_;
-  std::map<std::tuple<std::string, std::string, double>, std::size_t> sessions_;
-  std::set<std::tuple<std::string, std::string, double>> shared_;
+  std::map<SessionName, std::size_t> sessions_;
+  std::set<SessionName> shared_;
 };
 
 }  // namespace

@@ -56,11 +56,11 @@ struct SessionStep {
 
 /// A negotiation, as its members told of it.
 struct SessionStory {
-  std::string subject, modality, opener;
-  double opened = 0.0;
-  std::vector<std::string> members;  ///< who told of it, by name
+  SessionName name;
+  std::string modality;
+  std::vector<std::string> members;  ///< who told of it or sent a message, by name
   std::vector<SessionStep> steps;    ///< time order
-  std::vector<Flight> messages;      ///< of negotiations between them meanwhile
+  std::vector<Flight> messages;      ///< about it between them; where none says so: meanwhile
 };
 
 struct JointTasks {

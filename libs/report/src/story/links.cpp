@@ -44,7 +44,7 @@ std::vector<Flight> pair_messages(const std::vector<MessageRecord>& records) {
   for (const MessageRecord& r : records) {
     const auto [it, added] =
         indices.try_emplace(Key{r.slot, r.from, r.to, r.sequence}, flights.size());
-    if (added) flights.push_back({r.slot, r.from, r.to, r.sequence, {}, {}});
+    if (added) flights.push_back({r.slot, r.from, r.to, r.sequence, {}, {}, r.session});
     Flight& flight = flights[it->second];
     std::optional<double>& when = r.direction == Direction::kSent ? flight.sent : flight.received;
     const double t = seconds(r.stamp);

@@ -230,9 +230,10 @@ void write_negotiations(Markup& out, const Run& run) {
     if (++shown > kMostSessions) break;
     out.open("details");
     out.element("summary", {},
-                clock_text(session.opened) + " " + session.subject + ": " + session.modality +
-                    ", opened by " + session.opener + ", " + session.steps.back().state +
-                    " after " + span_text(session.steps.back().t - session.opened) + ", " +
+                clock_text(session.name.opened) + " " + session.name.subject + ": " +
+                    session.modality + ", opened by " + session.name.opener + ", " +
+                    session.steps.back().state + " after " +
+                    span_text(session.steps.back().t - session.name.opened) + ", " +
                     counted(session.messages.size(), "message"));
     write_diagram(out, session);
     out.close();

@@ -155,7 +155,7 @@ class Host {
   void send(const Send& send, blackboard::Now now);
   void log_unsent(wire::Slot slot, const std::string& to, blackboard::Refusal why,
                   blackboard::Now now);
-  void log_message(wire::Slot slot, const std::string& from, const std::string& to,
+  void log_message(const wire::Sample& sample, const std::string& from, const std::string& to,
                    std::uint64_t sequence, const char* direction, blackboard::Now now);
   /// A line of the event log (skein/journal/lines/).
   template <class Line>

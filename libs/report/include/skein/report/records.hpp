@@ -2,6 +2,7 @@
 // What one line of a run's event log says, one struct per kind of line.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -72,6 +73,13 @@ struct SyncRecord {
   Direction direction = Direction::kSent;
 };
 
+/// Names a session of a negotiation.
+struct SessionName {
+  std::string subject, opener;
+  double opened = 0;  ///< mission time [s]
+  auto operator<=>(const SessionName&) const = default;
+};
+
 /// An event-class sample left or arrived on a radio channel. Source: spec 1.3.
 struct MessageRecord {
   Stamp stamp;
@@ -80,6 +88,7 @@ struct MessageRecord {
   std::string to;
   std::uint64_t sequence = 0;
   Direction direction = Direction::kSent;
+  std::optional<SessionName> session = {};  ///< that it is about
 };
 
 /// The radio really carries, or no longer carries, samples from one node to another.

@@ -19,6 +19,10 @@ struct Message {
   Text to = {};
   std::uint64_t sequence = 0;
   Text direction = {};
+  /// The session that a NegotiationMessage is about, as lines of negotiations name it.
+  OptionalText subject = {};
+  OptionalText opener = {};
+  std::optional<double> opened = {};
 
   static void fields(auto& it, auto&& each) {
     each("slot", it.slot);
@@ -26,6 +30,9 @@ struct Message {
     each("to", it.to);
     each("sequence", it.sequence);
     each("direction", it.direction);
+    each("subject", it.subject);
+    each("opener", it.opener);
+    each("opened", it.opened);
   }
 };
 
