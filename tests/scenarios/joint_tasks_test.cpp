@@ -82,6 +82,25 @@ INSTANTIATE_TEST_SUITE_P(WaysThatCross, Teamwork, ::testing::Values("team/crossi
 
 // Found by a storm (agreed-places/pursuit, seed 70003): its loop began the look anew in the same
 // instant, for ever, and mission time stood still.
+// Of three who are to map a field the node of one dies before anything is agreed: for two there is
+// a variant too.
+TEST(AMemberThatNeverComes, IsDoneWithoutByThoseWhoAreThere) {
+  scenario::Scenario scenario = scenario_at("area-sharing/one-lost");
+  ASSERT_EQ(scenario.faults.kills.size(), 1U);
+  scenario.faults.kills.front().at = MissionTime::seconds(8);
+
+  const Mission mission = play(scenario);
+
+  EXPECT_EQ(mission.find({{"kind", "goal"}, {"goal", "12"}, {"state", "achieved"}}).size(), 1U);
+  EXPECT_EQ(mission.find({{"kind", "goal"}, {"goal", "32"}, {"state", "achieved"}}).size(), 1U);
+  const auto agreed =
+      mission.find({{"kind", "negotiation"}, {"modality", "role-allocation"}, {"state", "agreed"}});
+  ASSERT_FALSE(agreed.empty());
+  EXPECT_LE(agreed.front().at(), MissionTime::seconds(120)) << "it was out of reach for a minute";
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "") << "as that all of the field was in view";
+}
+
 TEST(ARoleWhoseDeviceHasFailed, IsLeftWithTheReason) {
   scenario::Scenario scenario = scenario_at("agreed-places/pursuit");
   scenario.faults.breaks.push_back({MissionTime::seconds(79), "uav1", "visible"});

@@ -18,7 +18,13 @@ using Kind = interaction::NegotiationOutcome::Kind;
 
 Interaction::Interaction(JointHost& host) : host_(host), sightings_(host.config().uav) {}
 
+std::optional<MissionTime> Interaction::silent_since(const std::string& uav) const {
+  const auto known = silent_since_.find(uav);
+  return known == silent_since_.end() ? born_ : known->second;
+}
+
 void Interaction::start() {
+  born_ = host_.bus().now();
   manager_.emplace(host_.config().uav, kMission, interaction::standard_modalities(),
                    interaction::NegotiationLimits{}, host_.bus().now());
 }
@@ -158,6 +164,8 @@ void Interaction::hear(const JointTaskTold& told) {
 }
 
 void Interaction::contact(const Contact& contact) {
+  std::optional<MissionTime>& since = silent_since_[contact.peer];
+  since = contact.reachable ? std::nullopt : std::optional(since.value_or(host_.bus().now()));
   for (const auto& [id, task] : tasks_) task->partner_in_reach(contact.peer, contact.reachable);
 }
 
@@ -215,11 +223,12 @@ void Interaction::carry_out(const interaction::SendSessionMessage& effect) {
 void Interaction::carry_out(const interaction::InvitedToNegotiate& effect) {
   JointTask* task = about(effect.terms.subject);
   // Who is no member of the joint task asks nothing of it.
-  if (task != nullptr && !std::ranges::includes(task->joint().members, effect.terms.members)) {
+  const auto is_asked = [&](const std::string& uav) { return task->asks(uav); };
+  if (task != nullptr && !std::ranges::all_of(effect.terms.members, is_asked)) {
     return carry_out(
         interaction::MessageRejected{effect.terms.opener, effect.terms.subject,
                                      "of members " + joined(effect.terms.members, ", ") +
-                                         ", not of " + joined(task->joint().members, ", ")});
+                                         ", not of " + joined(task->asked().members, ", ")});
   }
   host_.bus().emit(NegotiationNoted{effect.terms, "invited", {}, "", {}});
   if (task != nullptr) task->invited(effect.terms);

@@ -53,6 +53,8 @@ class Interaction final : public Component {
   /// Members and model are those of the joint task where none are named. False: refused, and said.
   bool begin(const Joint& joint, interaction::BeginNegotiation negotiation);
   void withdraw(const std::string& subject, const std::string& why);
+  /// Since when it is out of reach; absent: it is in reach.
+  std::optional<MissionTime> silent_since(const std::string& uav) const;
   /// The number of a new task of a role.
   executive::TaskId next_id();
 
@@ -73,6 +75,8 @@ class Interaction final : public Component {
   Sightings sightings_;
   std::optional<interaction::NegotiationManager> manager_;
   std::map<executive::TaskId, std::unique_ptr<JointTask>> tasks_;
+  MissionTime born_;
+  std::map<std::string, std::optional<MissionTime>> silent_since_;  ///< who was in reach once
   std::uint64_t next_id_ = 0;
   std::map<std::uint64_t, interaction::SessionId> reckonings_;  ///< by job
   std::uint64_t last_reckoning_ = 0;

@@ -136,6 +136,18 @@ Result<Joint, Failure> joint_of(const mission::ElementaryTask& task,
   return joint;
 }
 
+std::optional<Joint> among(const Joint& joint, const std::vector<std::string>& members) {
+  const interaction::Variant* variant =
+      variant_for(joint.library->models.at(joint.model), members.size());
+  if (variant == nullptr) return std::nullopt;
+  Joint fewer = joint;
+  fewer.variant = variant;
+  fewer.members = members;
+  for (const interaction::Parameter& one : variant->parameters)
+    if (one.type == ParameterType::kUavList) fewer.arguments.insert_or_assign(one.name, members);
+  return fewer;
+}
+
 Arguments arguments_of(const Joint& joint, const std::string& role) {
   Arguments result;
   const auto table = joint.variant->table.parameters.find(role);

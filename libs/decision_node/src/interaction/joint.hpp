@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -37,6 +38,10 @@ struct Joint {
 Result<Joint, Failure> joint_of(const mission::ElementaryTask& task,
                                 const std::shared_ptr<const interaction::Library>& library,
                                 const std::string& self, const std::vector<std::string>& team);
+
+/// The same joint task among these of its members alone, `self` among them, in the variant for so
+/// many; nothing where there is none.
+std::optional<Joint> among(const Joint& joint, const std::vector<std::string>& members);
 
 /// What the parameters of a role stand for.
 Arguments arguments_of(const Joint& joint, const std::string& role);

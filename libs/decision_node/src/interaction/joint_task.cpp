@@ -54,6 +54,7 @@ JointTask::JointTask(JointHost& host, Interaction& interaction, Joint joint,
       interaction_(interaction),
       sightings_(sightings),
       preferences_(std::move(preferences)),
+      asked_(joint),
       my_{std::move(joint)},
       play_({host, interaction, sightings, *this, my_}) {}
 
@@ -61,9 +62,13 @@ MissionTime JointTask::now() const { return host_.bus().now(); }
 const std::string& JointTask::self() const { return host_.config().uav; }
 
 std::vector<std::string> JointTask::partners() const {
-  std::vector<std::string> others = my_.joint.members;
+  std::vector<std::string> others = asked_.members;
   std::erase(others, self());
   return others;
+}
+
+bool JointTask::asks(const std::string& uav) const {
+  return std::ranges::binary_search(asked_.members, uav);
 }
 
 Outlook JointTask::outlook() const {
@@ -80,7 +85,10 @@ bool JointTask::is_to_begin() const {
 
 void JointTask::load(bool again) {
   again_ = again;
+  for (const std::string& one : partners())
+    if (const auto since = interaction_.silent_since(one)) absent_since_.emplace(one, *since);
   wait_for_partners();
+  do_without_the_silent();
   negotiate_roles();
   announce();
 }
@@ -119,6 +127,22 @@ void JointTask::wait_for_partners() {
   try_until_ = bounded
                    ? MissionTime() + latest
                    : std::max(now(), MissionTime() + first) + (again_ ? kPatienceAgain : kPatience);
+}
+
+// Its partners find out likewise; until they have, they want other members.
+void JointTask::do_without_the_silent() {
+  std::vector<std::string> there = asked_.members;
+  std::erase_if(there, [&](const std::string& uav) {
+    const auto since = absent_since_.find(uav);
+    return since != absent_since_.end() && since->second + kSilence <= now();
+  });
+  if (there == my_.joint.members || there.size() < 2) return;
+  auto fewer = among(asked_, there);
+  if (!fewer) return;
+  host_.bus().emit(Notice{asked_.subject + ": it is loaded among " + joined(there, ", ") + " now"});
+  my_.joint.variant = fewer->variant;
+  my_.joint.members = std::move(fewer->members);
+  my_.joint.arguments = std::move(fewer->arguments);
 }
 
 void JointTask::negotiate_roles() {
@@ -367,14 +391,13 @@ void JointTask::lost(const std::string& uav, const std::string& why) {
 }
 
 void JointTask::partner_in_reach(const std::string& uav, bool reachable) {
-  if (!my_.holders.contains(uav) &&
-      !std::count(my_.joint.members.begin(), my_.joint.members.end(), uav)) {
-    return;
-  }
+  if (!my_.holders.contains(uav) && !asks(uav)) return;
   if (reachable) {
     silent_since_.erase(uav);
+    absent_since_.erase(uav);
   } else {
     silent_since_.try_emplace(uav, now());
+    absent_since_.try_emplace(uav, now());
   }
 }
 
@@ -383,6 +406,7 @@ void JointTask::partner_in_reach(const std::string& uav, bool reachable) {
 void JointTask::time_passes() {
   if (again_at_ && *again_at_ <= now() && my_.phase == JointPhase::kLoading) {
     again_at_.reset();
+    if (!roles_known_) do_without_the_silent();
     roles_known_ ? negotiate_start() : negotiate_roles();
   }
   if (my_.phase == JointPhase::kLoading && try_until_ <= now()) not_loaded(my_.why);

@@ -29,7 +29,8 @@ class Interaction;
 ///   running   its role ends                                        ended
 ///   any       interrupted, a partner left or is lost               leaving, aborted
 ///
-/// A role that listens to "member lost" goes on without a partner that left or is lost.
+/// A role that listens to "member lost" goes on without a partner that left or is lost. Who is out
+/// of reach for a minute while it loads is done without, where a variant is for those who are left.
 ///
 /// What failed to be agreed is negotiated again until it is to start at the latest. Roles that are
 /// agreed to be others while it runs are begun anew, once what runs of the old one is over. Source:
@@ -40,6 +41,8 @@ class JointTask {
             std::vector<mission::Interval> preferences, const Sightings& sightings);
 
   const Joint& joint() const { return my_.joint; }
+  /// Among all who are asked for it.
+  const Joint& asked() const { return asked_; }
   interaction::JointPhase phase() const { return my_.phase; }
   bool over() const { return interaction::is_over(my_.phase); }
 
@@ -58,7 +61,10 @@ class JointTask {
   void leave(const std::string& why);
   /// The same, without waiting for what is being stopped.
   void leave_at_once(const std::string& why);
+  /// All who are asked for it, but oneself.
   std::vector<std::string> partners() const;
+  /// This one is asked for it.
+  bool asks(const std::string& uav) const;
   /// What the initialisers of places, and costs, are reckoned from.
   Outlook outlook() const;
   /// Its role is over, or it is not begun.
@@ -91,6 +97,7 @@ class JointTask {
   double cost_of_change(const std::string& role) const;
   void wait_for_partners();
   void answer();
+  void do_without_the_silent();
   void negotiate_roles();
   void negotiate_start();
   void roles_agreed(const interaction::Terms& terms, const interaction::Rows& result);
@@ -105,6 +112,7 @@ class JointTask {
   Interaction& interaction_;
   const Sightings& sightings_;
   std::vector<mission::Interval> preferences_;
+  const Joint asked_;  ///< among all
   Membership my_;
   JointPlay play_;
   bool dispatched_ = false;  ///< the executive has it under way
@@ -118,6 +126,7 @@ class JointTask {
   std::optional<MissionTime> agreed_start_;
   MissionTime start_agreed_at_;
   std::map<std::string, MissionTime> silent_since_;  ///< partners
+  std::map<std::string, MissionTime> absent_since_;  ///< partners, while it loads
   /// Why it is not agreed on, since when that has been so.
   struct Kept {
     std::string why;

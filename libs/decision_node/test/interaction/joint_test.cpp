@@ -60,6 +60,28 @@ TEST(Joint, AParameterOfAnotherTypeIsRefused) {
   EXPECT_EQ(why_not(task), "parameter 'duration' is not a number");
 }
 
+TEST(Joint, AmongFewerIsInTheVariantForSoManyAndMeansTheSame) {
+  auto library = std::make_shared<interaction::Library>(*testing::watching_library());
+  auto& variants = library->models.at("watching").variants;
+  variants.front().table.arities.at("relay") = {2, 2};
+  variants.push_back(variants.front());
+  variants.back().name = "fewer";
+  variants.back().table.arities.at("relay") = {1, 1};
+  const Joint three =
+      joint_of(testing::watching("marvin heliv karma"), library, "marvin", {"heliv", "karma"})
+          .value();
+
+  const auto two = among(three, {"karma", "marvin"});
+
+  ASSERT_TRUE(two);
+  EXPECT_EQ(three.variant->name, "pair");
+  EXPECT_EQ(two->variant->name, "fewer");
+  EXPECT_EQ(two->subject, three.subject);
+  EXPECT_EQ(two->members, (std::vector<std::string>{"karma", "marvin"}));
+  EXPECT_EQ(two->arguments.at("uavs"), Argument(std::vector<std::string>{"karma", "marvin"}));
+  EXPECT_FALSE(among(three, {"marvin"}));
+}
+
 TEST(Joint, ParametersOfARoleComeFromThoseOfTheModel) {
   const Arguments watch = arguments_of(testing::joint(), "watch");
 
