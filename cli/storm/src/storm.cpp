@@ -87,9 +87,9 @@ class Storm {
 
   int find_models() {
     models_ = options_.models.empty() ? workers::shipped_scenarios() : options_.models;
-    if (fs::exists(fs::path(models_) / "models")) return kExitOk;
+    if (!models_.empty() && fs::exists(fs::path(models_) / "comets" / "models")) return kExitOk;
     err_ << (models_.empty() ? "no models of vehicles found"
-                             : models_ + ": no folder models/ in it")
+                             : models_ + ": no folder comets/models/ in it")
          << "; expected: --models FOLDER, the folder scenarios/ of Skein, or a scenario to play\n";
     return kExitBadInput;
   }

@@ -107,8 +107,13 @@ TEST(Storm, SaysWhatIsWrongWithItsInput) {
   EXPECT_EQ(run(options).code, kExitBadInput);
   EXPECT_THAT(run(options).err, HasSubstr("/no/such.yaml"));
   options.scenarios = {};
-  options.models = "/nowhere";
-  EXPECT_THAT(run(options).err, HasSubstr("--models"));
+  const std::string without_comets = std::filesystem::temp_directory_path() / "without-comets";
+  std::filesystem::create_directories(without_comets + "/models");
+  for (const std::string& folder : {std::string("/nowhere"), without_comets}) {
+    options.models = folder;
+    EXPECT_EQ(run(options).code, kExitBadInput);
+    EXPECT_THAT(run(options).err, HasSubstr("--models"));
+  }
 }
 
 // A law that nobody knows would never be broken.
