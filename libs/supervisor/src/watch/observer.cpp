@@ -105,10 +105,12 @@ void Observer::see_loose(const executive::TaskEvent& event) {
   if (known == book_.loose.end()) return;
   if (known->second.ours && !known->second.stopping)
     safe_mode_.pause_until(now() + retry_after(known->second, event.reason));
-  const bool led_away = known->second.leads_away && known->second.begun;
+  led_away_ = led_away_ || (known->second.leads_away && known->second.begun);
   book_.forgotten.set(event.id.value(), 1);
   book_.loose.erase(known);
-  if (led_away && !book_.is_led_away() && !book_.free_goals().empty())
+  if (!led_away_ || book_.is_led_away()) return;
+  led_away_ = false;
+  if (!book_.free_goals().empty())
     agenda_.plan_anew(std::nullopt, false, "task " + to_text(event.id) + " of an operator is over");
 }
 

@@ -65,6 +65,7 @@ class Observer {
   Book& book_;
   Duration grace_;
   Refusals refusals_;
+  bool led_away_ = false;  ///< an operator moved it since the plan was made
 };
 
 }  // namespace skein::supervisor

@@ -187,6 +187,23 @@ TEST(SupervisorSafety, WaitsForWhatOthersFlyAndPlansAnewFromWhereThatHasLedIt) {
   EXPECT_THAT(desk.requests(), ElementsAre("START 101"));
 }
 
+// Likewise (--hands 7344): the last of them never began.
+TEST(SupervisorSafety, PlansAnewOnceTheLastOfWhatOthersFlyIsOver) {
+  Desk desk = Desk::engaged();
+  desk.seen(7, TaskState::kScheduled, "", "goto");
+  desk.seen(7, TaskState::kStarted, "", "goto");
+  desk.seen(8, TaskState::kScheduled, "", "land");
+  desk.add(a_mission(1, {701}));
+  desk.finish(inserted({701}, {TaskOf(100, "goto", 701)}));
+  desk.seen(7, TaskState::kEnded, "", "goto");
+  EXPECT_THAT(desk.requests(), IsEmpty());
+
+  desk.seen(8, TaskState::kAborted, "the preconditions are false for ever", "land");
+
+  EXPECT_THAT(desk.repair().remaining, SizeIs(1));
+  EXPECT_THAT(desk.requests(), IsEmpty());
+}
+
 // ---- joint tasks ----
 
 TEST(SupervisorJoint, IsLoadedWhenGivenAndAbortedWhenItCannotBe) {
