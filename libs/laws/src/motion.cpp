@@ -22,10 +22,9 @@ std::string named(const Uav& uav, std::int64_t task, const std::string& type) {
 void refused_at_once(const History& history, const Uav& uav, std::vector<Violation>& result) {
   const std::set<std::int64_t> by_hand = given_by_hand(history, uav);
   for (const Activity& one : uav.activities) {
-    if (by_hand.contains(one.task) || does_by_hand(history, uav, one.from)) continue;
     const bool busy = one.reason.find("is still active") != std::string::npos ||
                       one.reason.find("is in use by") != std::string::npos;
-    if (!busy) continue;
+    if (!busy || by_hand.contains(one.task) || does_by_hand(history, uav, one.from)) continue;
     result.push_back(
         {"", one.from, uav.name(), uav.goal_of_task(one.task),
          named(uav, one.task, one.type) + " was asked for and refused: " + one.reason});

@@ -148,10 +148,6 @@ bool is_the_grounds(const Uav& uav, const Goal& goal) {
   });
 }
 
-}  // namespace
-
-namespace {
-
 // An instant's occupation: a task that is under way and belongs to a goal, or moves it home.
 bool occupied(const Uav& uav, double at) {
   return std::any_of(uav.executions.begin(), uav.executions.end(), [&](const auto& one) {

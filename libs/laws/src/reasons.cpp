@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "checks.hpp"
+#include "scripted.hpp"
 
 namespace skein::laws {
 
@@ -97,8 +98,10 @@ bool is_trouble(const Action& action) {
          std::holds_alternative<ground_station::AbortTasks>(action);
 }
 
-bool has_trouble(const std::vector<Action>& actions) {
-  return std::any_of(actions.begin(), actions.end(), is_trouble);
+bool has_trouble(const scenario::Scenario& s) {
+  bool found = false;
+  for_actions(s, [&](const Action& action) { found = found || is_trouble(action); });
+  return found;
 }
 
 }  // namespace
@@ -110,12 +113,7 @@ bool is_clean(const scenario::Scenario& s) {
   const bool quiet = s.radio.cuts.empty() && s.world.volumes.empty();
   const bool full = std::all_of(s.uavs.begin(), s.uavs.end(),
                                 [](const auto& uav) { return uav.energy >= 1 && uav.degree >= 4; });
-  const auto& script = s.ground.script;
-  return sound && quiet && full &&
-         std::none_of(script.steps.begin(), script.steps.end(),
-                      [](const auto& step) { return has_trouble(step.actions); }) &&
-         std::none_of(script.operators.begin(), script.operators.end(),
-                      [](const auto& one) { return has_trouble(one.actions); });
+  return sound && quiet && full && !has_trouble(s);
 }
 
 namespace {

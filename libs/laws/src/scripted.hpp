@@ -8,16 +8,23 @@
 
 namespace skein::laws {
 
-/// Each action of that type, in the order of the file.
-template <class Wanted, class See>
-void for_scripted(const scenario::Scenario& scenario, const See& see) {
+/// Each action, in the order of the file.
+template <class See>
+void for_actions(const scenario::Scenario& scenario, const See& see) {
   const auto look = [&](const auto& steps) {
     for (const auto& step : steps)
-      for (const ground_station::Action& action : step.actions)
-        if (const auto* one = std::get_if<Wanted>(&action)) see(*one);
+      for (const ground_station::Action& action : step.actions) see(action);
   };
   look(scenario.ground.script.steps);
   look(scenario.ground.script.operators);
+}
+
+/// Each of that type.
+template <class Wanted, class See>
+void for_scripted(const scenario::Scenario& scenario, const See& see) {
+  for_actions(scenario, [&](const ground_station::Action& action) {
+    if (const auto* one = std::get_if<Wanted>(&action)) see(*one);
+  });
 }
 
 }  // namespace skein::laws

@@ -164,8 +164,8 @@ void Interaction::hear(const JointTaskTold& told) {
 }
 
 void Interaction::contact(const Contact& contact) {
-  std::optional<MissionTime>& since = silent_since_[contact.peer];
-  since = contact.reachable ? std::nullopt : std::optional(since.value_or(host_.bus().now()));
+  const MissionTime since = silent_since(contact.peer).value_or(host_.bus().now());
+  silent_since_[contact.peer] = contact.reachable ? std::nullopt : std::optional(since);
   for (const auto& [id, task] : tasks_) task->partner_in_reach(contact.peer, contact.reachable);
 }
 

@@ -76,7 +76,7 @@ class Interaction final : public Component {
   std::optional<interaction::NegotiationManager> manager_;
   std::map<executive::TaskId, std::unique_ptr<JointTask>> tasks_;
   MissionTime born_;
-  std::map<std::string, std::optional<MissionTime>> silent_since_;  ///< who was in reach once
+  std::map<std::string, std::optional<MissionTime>> silent_since_;  ///< of whom contact was told
   std::uint64_t next_id_ = 0;
   std::map<std::uint64_t, interaction::SessionId> reckonings_;  ///< by job
   std::uint64_t last_reckoning_ = 0;

@@ -85,8 +85,6 @@ bool JointTask::is_to_begin() const {
 
 void JointTask::load(bool again) {
   again_ = again;
-  for (const std::string& one : partners())
-    if (const auto since = interaction_.silent_since(one)) absent_since_.emplace(one, *since);
   wait_for_partners();
   do_without_the_silent();
   negotiate_roles();
@@ -133,8 +131,8 @@ void JointTask::wait_for_partners() {
 void JointTask::do_without_the_silent() {
   std::vector<std::string> there = asked_.members;
   std::erase_if(there, [&](const std::string& uav) {
-    const auto since = absent_since_.find(uav);
-    return since != absent_since_.end() && since->second + kSilence <= now();
+    const auto since = uav == self() ? std::nullopt : interaction_.silent_since(uav);
+    return since && *since + kSilence <= now();
   });
   if (there == my_.joint.members || there.size() < 2) return;
   auto fewer = among(asked_, there);
@@ -394,10 +392,8 @@ void JointTask::partner_in_reach(const std::string& uav, bool reachable) {
   if (!my_.holders.contains(uav) && !asks(uav)) return;
   if (reachable) {
     silent_since_.erase(uav);
-    absent_since_.erase(uav);
   } else {
     silent_since_.try_emplace(uav, now());
-    absent_since_.try_emplace(uav, now());
   }
 }
 

@@ -126,7 +126,6 @@ class JointTask {
   std::optional<MissionTime> agreed_start_;
   MissionTime start_agreed_at_;
   std::map<std::string, MissionTime> silent_since_;  ///< partners
-  std::map<std::string, MissionTime> absent_since_;  ///< partners, while it loads
   /// Why it is not agreed on, since when that has been so.
   struct Kept {
     std::string why;

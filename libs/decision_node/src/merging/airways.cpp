@@ -162,6 +162,12 @@ std::vector<std::vector<Vector3>> lines_aside(const Vector3& from, double hold,
 
 }  // namespace
 
+AirwaySituation resting_at(AirwaySituation situation, const Vector3& place) {
+  situation.state.position = place;
+  situation.rest = place;
+  return situation;
+}
+
 bool needs_air(const functional::Request& request) {
   return functional::TaskTypes::shipped().of(request.type).motion == functional::Motion::kMoves;
 }
@@ -194,6 +200,20 @@ Result<Airways, Failure> airways_of(const functional::Request& request, bool at_
                    return {{request, {}, {}, {}, 0}};
                  }},
       *task);
+}
+
+merging::Volumes air_from(const Vector3& place, const functional::Request& request,
+                          const MergingConfig& config, const AirwaySituation& situation) {
+  if (!needs_air(request)) return {};
+  const auto airways = airways_of(request, false, config, resting_at(situation, place));
+  return airways && !airways->empty() ? airways->front().air : merging::Volumes();
+}
+
+Airways flights_to(const Vector3& place, functional::TaskId id, const MergingConfig& config,
+                   const AirwaySituation& situation) {
+  functional::Request request{functional::Verb::kDispatch, id, "goto", {}};
+  request.parameters.add(elementary::points_parameter("waypoints", {place}));
+  return airways_of(request, true, config, situation).value_or(Airways());
 }
 
 merging::Volume landing_at(const Vector3& place, const Margins& margins) {

@@ -36,6 +36,9 @@ struct AirwaySituation {
   MissionTime now;
 };
 
+/// The same, were it to hold or circle there.
+AirwaySituation resting_at(AirwaySituation situation, const world::Vector3& place);
+
 /// Does the motion move the vehicle, so that it needs air?
 bool needs_air(const functional::Request& request);
 
@@ -46,6 +49,14 @@ bool is_done_in_place(const functional::Request& request);
 /// meet no closed air. An error: why the vehicle cannot do it, in all its reasons.
 Result<Airways, Failure> airways_of(const functional::Request& request, bool at_any_height,
                                     const MergingConfig& config, const AirwaySituation& situation);
+
+/// The motion's air as it would be from there; none: it cannot, or needs none.
+merging::Volumes air_from(const world::Vector3& place, const functional::Request& request,
+                          const MergingConfig& config, const AirwaySituation& situation);
+
+/// Flights to the place under that number, at any height; none: the vehicle cannot.
+Airways flights_to(const world::Vector3& place, functional::TaskId id, const MergingConfig& config,
+                   const AirwaySituation& situation);
 
 /// What a landing takes that begins there. Cost: constant.
 merging::Volume landing_at(const world::Vector3& place, const merging::Margins& margins);

@@ -40,10 +40,8 @@ void HomeAir::look(const std::optional<Vector3>& rest, const AirwaySituation& si
   const auto& place = core_.config().home;
   const Vector3 home(place.at(0), place.at(1), place.at(2));
   const auto margins = merging::margins_of(config.model, config.wind, config.model.cruise_speed);
-  AirwaySituation there = situation;
+  AirwaySituation there = resting_at(situation, *rest);
   there.state.airborne = true;
-  there.state.position = *rest;
-  there.rest = rest;
   const merging::Volume landing = landing_at(home + Vector3(0, 0, margins.slope), margins);
   if ((*rest - home).norm() <= margins.settled) return choices_.push_back({landing});
   flights_ = ways_to(home, there);

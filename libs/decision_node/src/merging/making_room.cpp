@@ -2,6 +2,7 @@
 // Whoever has nothing to do makes room.
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "core.hpp"
 #include "merging/merging.hpp"
@@ -60,6 +61,27 @@ bool is_over_a_pad(const merging::Merger& merger, const world::Terrain& terrain)
 
 bool is_aborting(const executive::TaskStatus& task) {
   return task.state == executive::TaskState::kAborting;
+}
+
+/// From where that one ends, what waits could be flown past where the others will be; of what is
+/// done at a place, the way to it.
+bool leads_on(const Airway& aside, const functional::Request& request, const world::Vector3& place,
+              const merging::Volumes& ends, const MergingConfig& config,
+              AirwaySituation situation) {
+  situation.aside = true;
+  situation = resting_at(std::move(situation), *aside.end);
+  const Airways on = is_done_in_place(request)
+                         ? flights_to(place, aside.request.id, config, situation)
+                         : airways_of(request, false, config, situation).value_or(Airways());
+  return !on.empty() && !overlap(on.front().air, ends);
+}
+
+/// Those that lead on come first, or are all.
+template <class Leads>
+Airways ordered(Airways aside, bool only_leading, const Leads& leads) {
+  const auto others = std::stable_partition(aside.begin(), aside.end(), leads);
+  if (only_leading) aside.erase(others, aside.end());
+  return aside;
 }
 
 }  // namespace
@@ -122,36 +144,22 @@ bool Merging::has_nothing_to_do() const {
   });
 }
 
-/// Those come first from where what it waits for could be flown past where the others will be.
-Airways Merging::ordered(Airways aside, bool only_leading) const {
-  const functional::Request& request = waiting_->request;
-  const merging::Volumes ends = merger_->ends();
-  const auto leads_on = [&](const Airway& one) {
-    AirwaySituation there = situation();
-    there.state.position = *one.end;
-    there.rest = one.end;
-    there.aside = true;
-    const Airways on =
-        is_done_in_place(request)
-            ? way_to(place_.value_or(rest_.value_or(seen_.state.position)), there)
-            : airways_of(request, false, *core_.config().merging, there).value_or(Airways());
-    return !on.empty() && !overlap(on.front().air, ends);
-  };
-  const auto others = std::stable_partition(aside.begin(), aside.end(), leads_on);
-  if (only_leading) aside.erase(others, aside.end());
-  return aside;
-}
-
 /// To where nobody wants to go; when that gave it no air, also higher up, and to where neither the
 /// circle nor whoever waits for it wants to go: others wait for it a little longer.
 void Merging::carry_out(const merging::MoveAside& move) {
   if (!waiting_ || waiting_->airways.empty() || !stays()) return;
   const bool again = waiting_->aside_since.has_value();
-  Airways aside = ordered(places_aside(merger_->others()), move.for_itself);
+  const world::Vector3 place = place_.value_or(rest_.value_or(seen_.state.position));
+  const merging::Volumes ends = merger_->ends();
+  const auto leads = [&](const Airway& one) {
+    return leads_on(one, waiting_->request, place, ends, *core_.config().merging, situation());
+  };
+  Airways aside = ordered(places_aside(merger_->others()), move.for_itself, leads);
   if (again || aside.empty()) {
     std::vector<std::string> in_need = move.circle;
     for (const merging::Merger::Waiter& one : merger_->waiters()) in_need.push_back(one.peer);
-    Airways more = ordered(places_aside(merger_->taken(in_need), {0, 24, 48}), move.for_itself);
+    Airways more =
+        ordered(places_aside(merger_->taken(in_need), {0, 24, 48}), move.for_itself, leads);
     std::move(more.begin(), more.end(), std::back_inserter(aside));
   }
   if (aside.empty()) return;

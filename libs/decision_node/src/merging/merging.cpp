@@ -143,13 +143,6 @@ bool Merging::is_to_come_back(const functional::Request& request) const {
   return (*place_ - rest_.value_or(seen_.state.position)).norm() > margins_.settled;
 }
 
-/// Nothing: it cannot be flown.
-Airways Merging::way_to(const world::Vector3& place, const AirwaySituation& from) const {
-  functional::Request request{functional::Verb::kDispatch, aside_, "goto", {}};
-  request.parameters.add(elementary::points_parameter("waypoints", {place}));
-  return airways_of(request, true, *core_.config().merging, from).value_or(Airways());
-}
-
 /// From where it is now: as often as it waits anew.
 void Merging::ask() {
   if (!waiting_ || !has_seen_ || (flown_ && !flown_->over)) return;
@@ -157,11 +150,14 @@ void Merging::ask() {
   waiting_->comes_back = false;
   waiting_->asked_long = core_.bus().now() >= waiting_->since + kRises;
   if (is_to_come_back(waiting_->request)) {
-    if (Airways back = way_to(*place_, situation()); !back.empty()) {
+    if (Airways back = flights_to(*place_, aside_, *core_.config().merging, situation());
+        !back.empty()) {
       aside_ = functional::TaskId(aside_.value() + 1);
       waiting_->comes_back = true;
       waiting_->aside_since.reset();
-      return want(std::move(back), air_at(*place_));
+      merging::Volumes there =
+          air_from(*place_, waiting_->request, *core_.config().merging, situation());
+      return want(std::move(back), std::move(there));
     }
   }
   if (!needs_air(waiting_->request)) {
@@ -194,16 +190,6 @@ void Merging::want(Airways airways, merging::Volumes afterwards) {
   const bool leaves = waiting_->request.type == "land" && !waiting_->comes_back &&
                       !waiting_->aside_since.has_value();
   give(merging::Want{std::move(choices), std::move(afterwards), leaves});
-}
-
-/// That it wants for what it does there; none: it cannot, or needs none beyond that place.
-merging::Volumes Merging::air_at(const world::Vector3& place) const {
-  if (!needs_air(waiting_->request)) return {};
-  AirwaySituation there = situation();
-  there.state.position = place;
-  there.rest = place;
-  const auto airways = airways_of(waiting_->request, false, *core_.config().merging, there);
-  return airways && !airways->empty() ? airways->front().air : merging::Volumes();
 }
 
 void Merging::refuse(std::string why, functional::AbortCause cause) {

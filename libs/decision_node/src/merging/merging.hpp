@@ -93,7 +93,6 @@ class Merging final : public Component {
   void carry_out(const merging::MoveAside& aside);
   void ask();
   void want(Airways airways, merging::Volumes afterwards = {});
-  merging::Volumes air_at(const world::Vector3& place) const;
   void begin(const Airway& airway, const std::string& state);
   void look_at_energy();
   void look_for_way_around();
@@ -106,9 +105,7 @@ class Merging final : public Component {
   void hold();
   void tell_orders();
   bool is_to_come_back(const functional::Request& request) const;
-  Airways way_to(const world::Vector3& place, const AirwaySituation& from) const;
   Airways places_aside(const merging::Volumes& taken, const std::vector<double>& heights = {0});
-  Airways ordered(Airways aside, bool only_leading) const;
   void look_for_room();
   void leave_pad();
   bool stays() const;

@@ -9,6 +9,7 @@
 
 #include "skein/config/parse.hpp"
 #include "skein/world/world_builder.hpp"
+#include "testing/level_ground.hpp"
 
 namespace skein::decision_node {
 namespace {
@@ -19,13 +20,7 @@ using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
 world::World flat_world() {
-  world::WorldFile file;
-  file.origin = world::GeodeticOrigin{};
-  world::TerrainSpec terrain;
-  terrain.west = terrain.south = -500;
-  terrain.east = terrain.north = 500;
-  file.terrain = terrain;
-  file.radio.range = 1000;
+  world::WorldFile file = testing::level_ground();
   file.airspace.ceiling = 150;
   return world::build_world(std::move(file)).value();
 }

@@ -9,6 +9,7 @@
 #include "interaction/places.hpp"
 #include "interaction/role_tasks.hpp"
 #include "skein/world/world_builder.hpp"
+#include "testing/level_ground.hpp"
 #include "testing/watch_and_relay.hpp"
 
 namespace skein::decision_node {
@@ -112,13 +113,7 @@ TEST_F(Watching, WhatIsKnownOfAPlaceCanBeForgotten) {
 // ---- its tasks ----
 
 world::World flat_world() {
-  world::WorldFile file;
-  file.origin = world::GeodeticOrigin{};
-  world::TerrainSpec terrain;
-  terrain.west = terrain.south = -500;
-  terrain.east = terrain.north = 500;
-  file.terrain = terrain;
-  file.radio.range = 1000;
+  world::WorldFile file = testing::level_ground();
   file.airspace.ceiling = 120;
   file.airspace.voxel = 10;
   return world::build_world(std::move(file)).value();

@@ -9,6 +9,7 @@
 
 #include "skein/decision_node/stand_in.hpp"
 #include "skein/world/world_builder.hpp"
+#include "testing/level_ground.hpp"
 #include "testing/watch_and_relay.hpp"
 
 namespace skein::decision_node::testing {
@@ -28,13 +29,6 @@ inline Config stood_in_config(const std::string& by_ground) {
   if (!by_ground.empty()) {
     library->models.at("watching").variants.front().by_ground.insert(by_ground);
   }
-  world::WorldFile file;
-  file.origin = world::GeodeticOrigin{};
-  world::TerrainSpec terrain;
-  terrain.west = terrain.south = -500;
-  terrain.east = terrain.north = 500;
-  file.terrain = terrain;
-  file.radio.range = 1000;
   Config config;
   config.uav = "marvin";
   config.others = {"heliv"};
@@ -43,7 +37,7 @@ inline Config stood_in_config(const std::string& by_ground) {
   knowledge->vehicle.hovers = true;
   knowledge->vehicle.cruise_speed = 10;
   config.knowledge = knowledge;
-  config.world = std::make_shared<world::World>(world::build_world(std::move(file)).value());
+  config.world = std::make_shared<world::World>(world::build_world(level_ground()).value());
   config.interaction = library;
   return config;
 }

@@ -103,8 +103,7 @@ Standing Book::standing(const std::set<TaskId>& but) const {
 
 bool Book::counts(const Entry& entry) const {
   if (!entry.live() || entry.over()) return false;
-  const GoalState state = goals.at(entry.task.origin).state;
-  return entry.given() || (state != GoalState::kHandedOver && !is_settled(state));
+  return entry.given() || goals.at(entry.task.origin).open();
 }
 
 std::vector<mission::ElementaryTask> Book::open_tasks() const {
@@ -120,7 +119,7 @@ std::vector<GoalId> Book::free_goals() const {
   bool given_behind = false;
   for (auto id = order.rbegin(); id != order.rend(); ++id) {
     const Goal& goal = goals.at(*id);
-    if (is_settled(goal.state) || goal.state == GoalState::kHandedOver) continue;
+    if (!goal.open()) continue;
     const bool given = is_given(*id);
     const bool passed = goal.true_at && given_behind;
     given_behind = given_behind || given;

@@ -35,6 +35,9 @@ struct Goal {
   std::optional<Whereabouts> true_at;
   MissionTime settled;      ///< when, of one that is
   bool tasks_gone = false;  ///< let go, of one that is
+
+  /// It is to come to an end here: it is not settled, and the ground station does not have it.
+  bool open() const { return !is_settled(state) && state != GoalState::kHandedOver; }
 };
 
 /// A task of the executive that is of no goal: a safe wait, or somebody else's.

@@ -26,9 +26,7 @@ Committer::Committer(const world::VehicleModel& vehicle, Duration horizon, const
 
 std::optional<GoalId> Committer::next_to_give() const {
   for (const GoalId id : book_.order) {
-    const GoalState state = book_.goals.at(id).state;
-    if (is_settled(state) || state == GoalState::kHandedOver) continue;
-    if (book_.is_planned(id)) return id;
+    if (book_.goals.at(id).open() && book_.is_planned(id)) return id;
   }
   return std::nullopt;
 }

@@ -144,10 +144,8 @@ void EnergyWatch::come_down_at_once() {
   if (safe_mode_.pauses()) return;
   const std::string why = "the energy lasts no longer than to come down here";
   std::vector<GoalId> open;
-  for (const GoalId id : book_.order) {
-    const GoalState state = book_.goals.at(id).state;
-    if (!is_settled(state) && state != GoalState::kHandedOver) open.push_back(id);
-  }
+  for (const GoalId id : book_.order)
+    if (book_.goals.at(id).open()) open.push_back(id);
   committer_.retire({open.begin(), open.end()});
   agenda_.forget_need();
   for (const GoalId id : open) out_.set_state(book_.goals.at(id), GoalState::kFailed, why);

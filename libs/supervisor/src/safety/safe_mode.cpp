@@ -38,7 +38,7 @@ void SafeMode::tell_what_is_in_the_way() {
   told_in_the_way_ = true;
   const auto goal = std::find_if(book_.order.begin(), book_.order.end(), [&](GoalId id) {
     const Goal& one = book_.goals.at(id);
-    return !is_settled(one.state) && one.state != GoalState::kHandedOver && !one.queued;
+    return one.open() && !one.queued;
   });
   if (goal == book_.order.end()) return;
   out_.notice(book_.named(*goal) + " waits for task " + to_text(*first) + " (" +
@@ -81,8 +81,7 @@ std::string SafeMode::why_idle() const {
   const Goal* last = nullptr;
   for (const GoalId id : book_.order) {
     const Goal& goal = book_.goals.at(id);
-    if (!is_settled(goal.state) && goal.state != GoalState::kHandedOver)
-      return book_.named(id) + " waits: nothing of it may begin " + begins_from(id);
+    if (goal.open()) return book_.named(id) + " waits: nothing of it may begin " + begins_from(id);
     if (last == nullptr || goal.settled >= last->settled) last = &goal;
   }
   if (last == nullptr) return "no mission was given to it";

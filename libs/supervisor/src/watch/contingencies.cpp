@@ -186,9 +186,8 @@ void Contingencies::look_elsewhere(const std::string& place, const world::Vector
   std::set<GoalId> stopped;
   for (const GoalId id : book_.order) {
     const Goal& goal = book_.goals.at(id);
-    const bool open = !is_settled(goal.state) && goal.state != GoalState::kHandedOver;
     const bool given = book_.is_given(id);
-    if (!open || goal.queued || !names(goal.task, place)) continue;
+    if (!goal.open() || goal.queued || !names(goal.task, place)) continue;
     if (given ? !is_out_of_view(id, moved) : moved.norm() <= kSamePlace) continue;
     if (is_with_its_roles(book_.of(id))) continue;
     if (!first) first = id;

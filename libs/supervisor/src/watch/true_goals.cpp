@@ -38,7 +38,7 @@ void TrueGoals::settle() {
   if (agenda_.repairing()) return;
   for (const GoalId id : std::vector<GoalId>(book_.order)) {
     Goal& goal = book_.goals.at(id);
-    if (is_settled(goal.state) || goal.queued || goal.state == GoalState::kHandedOver) continue;
+    if (!goal.open() || goal.queued) continue;
     if (!goal.true_at || !book_.of(id).empty()) return;
     if (!is_there(*goal.true_at)) {
       goal.true_at.reset();
