@@ -2,12 +2,16 @@
 #include "skein/foundation/rounded_seconds.hpp"
 
 #include <cmath>
+#include <cstdint>
 
 namespace skein {
 
 std::string in_seconds(Duration d) {
   if (d == Duration::max()) return "for ever";
-  return to_text(Duration::milliseconds(100 * std::llround(d.to_seconds() * 10))) + " s";
+  constexpr std::int64_t kMost = Duration::max().count() / Duration::milliseconds(100).count();
+  const std::int64_t tenths = std::llround(d.to_seconds() * 10);
+  const bool fits = tenths >= -kMost && tenths <= kMost;
+  return to_text(fits ? Duration::milliseconds(100 * tenths) : d) + " s";
 }
 
 std::string in_seconds(MissionTime t) {

@@ -2,6 +2,7 @@
 #include "skein/foundation/unix_time.hpp"
 
 #include <chrono>
+#include <cstdio>
 #include <ctime>
 #include <iomanip>
 #include <sstream>
@@ -16,11 +17,15 @@ std::uint64_t epoch_of(const std::string& iso) {
       std::chrono::year(parts.tm_year + 1900),
       std::chrono::month(static_cast<unsigned>(parts.tm_mon + 1)),
       std::chrono::day(static_cast<unsigned>(parts.tm_mday))};
-  if (!text || !date.ok()) return 0;
-  const std::chrono::nanoseconds since =
+  // A text that ends too soon is no failure of get_time.
+  const bool whole = !text.fail() && iso.ends_with('Z') && text.peek() == EOF;
+  if (!whole || !date.ok()) return 0;
+  const std::chrono::seconds since =
       std::chrono::sys_days(date).time_since_epoch() + std::chrono::hours(parts.tm_hour) +
       std::chrono::minutes(parts.tm_min) + std::chrono::seconds(parts.tm_sec);
-  return since.count() < 0 ? 0 : static_cast<std::uint64_t>(since.count());
+  constexpr auto kLast = std::chrono::floor<std::chrono::seconds>(std::chrono::nanoseconds::max());
+  if (since.count() < 0 || since > kLast) return 0;
+  return static_cast<std::uint64_t>(std::chrono::nanoseconds(since).count());
 }
 
 std::uint64_t unix_time(std::uint64_t epoch, MissionTime at) {

@@ -4,6 +4,8 @@
 #include <functional>
 #include <map>
 
+#include "skein/foundation/shortest_text.hpp"
+
 namespace skein::journal {
 
 namespace {
@@ -12,8 +14,14 @@ std::string text(const Record& record, std::string_view key) {
   return std::string(record.text(key));
 }
 
+/// With all its digits: a great id is text in the record.
 std::string number(const Record& record, std::string_view key) {
-  return std::to_string(static_cast<std::int64_t>(record.number(key)));
+  const Value* value = record.find(key);
+  if (value == nullptr) return "0";
+  if (const auto* whole = std::get_if<std::int64_t>(value)) return std::to_string(*whole);
+  if (const auto* broken = std::get_if<double>(value)) return shortest_text(*broken);
+  const auto* great = std::get_if<std::string>(value);
+  return great == nullptr ? "0" : *great;
 }
 
 /// ": why", if it says why.

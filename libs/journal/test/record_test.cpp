@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "skein/foundation/random.hpp"
 
@@ -136,6 +138,40 @@ TEST(RecordLaws, InstantsOutOfRangeSaturateAndDoNotTrap) {
     EXPECT_TRUE(record.has_value()) << at;
   }
   EXPECT_FALSE(parse_record(R"({"at":"1","node":"n","kind":"k"})").has_value());
+}
+
+struct Wrong {
+  const char* line;
+  const char* why;
+};
+
+TEST(Record, EveryPartThatEachLineMustHaveIsAskedFor) {
+  const std::vector<Wrong> all = {
+      {"", "not a JSON object"},
+      {"12", "not a JSON object"},
+      {R"("text")", "not a JSON object"},
+      {R"({"at":1} {"at":2})", "not a JSON object"},
+      {R"({"at":1,"node":"n","kind":"k")", "not a JSON object"},
+      {R"({"node":"n","kind":"k"})", "'at' is missing or not a number"},
+      {R"({"at":null,"node":"n","kind":"k"})", "'at' is missing or not a number"},
+      {R"({"at":[1],"node":"n","kind":"k"})", "'at' is missing or not a number"},
+      {R"({"at":true,"node":"n","kind":"k"})", "'at' is missing or not a number"},
+      {R"({"at":1,"node":4,"kind":"k"})", "'node' is missing or not text"},
+      {R"({"at":1,"node":"n"})", "'kind' is missing or not text"},
+      {R"({"at":1,"node":"n","kind":null})", "'kind' is missing or not text"},
+  };
+  for (const Wrong& one : all) {
+    const auto read = parse_record(one.line);
+    ASSERT_FALSE(read.has_value()) << one.line;
+    EXPECT_EQ(read.error().why, one.why) << one.line;
+  }
+}
+
+TEST(Record, NoPrefixOfALineIsALine) {
+  const std::string whole = to_json(
+      a_record().with("t", "x \" y").with("p", std::vector<double>{1, 2.5}).with("b", true));
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_FALSE(parse_record(whole.substr(0, size)).has_value()) << whole.substr(0, size);
 }
 
 TEST(Rounded, ToAThousandth) {

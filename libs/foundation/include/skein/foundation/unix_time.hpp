@@ -9,7 +9,7 @@
 
 namespace skein {
 
-/// Of "2005-05-19T09:00:00Z" [ns since 1970]; 0 of anything else.
+/// Of "2005-05-19T09:00:00Z" [ns since 1970]; 0 of anything else, and of what lies after 2262.
 std::uint64_t epoch_of(const std::string& iso);
 
 /// [ns since 1970]; nothing lies before it.
