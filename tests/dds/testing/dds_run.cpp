@@ -94,13 +94,27 @@ DdsRun::DdsRun() : shared_memory_before_(shared_memory()) {
 }
 
 DdsRun::~DdsRun() {
-  if (::testing::Test::HasFailure()) {
-    std::fputs(output().c_str(), stderr);
-  }
+  const bool failed = ::testing::Test::HasFailure();
+  if (failed) std::fputs(output().c_str(), stderr);
   process_.reset();
   for (const Daemon& daemon : pids()) kill(daemon.pid, SIGKILL);
+  if (failed) keep_for_inquiry();
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
+}
+
+// What failed only under load may not fail again: its event log and those of its daemons are all
+// that tells why.
+void DdsRun::keep_for_inquiry() const {
+  const fs::path kept = fs::path(kPrograms).parent_path() / "failed-runs" / folder_.filename();
+  std::error_code error;
+  fs::create_directories(kept.parent_path(), error);
+  fs::copy(folder_, kept,
+           fs::copy_options::recursive | fs::copy_options::copy_symlinks |
+               fs::copy_options::overwrite_existing,
+           error);
+  const std::string said = error ? "not kept: " + error.message() : "kept: " + kept.string();
+  std::fputs(("the run is " + said + "\n").c_str(), stderr);
 }
 
 void DdsRun::take_scenario(const std::string& name, const std::string& more) {

@@ -83,6 +83,8 @@ class DdsRun {
     std::string name;
   };
   void expect_no_stall() const;
+  /// In failed-runs beside the folder of the programs.
+  void keep_for_inquiry() const;
   std::vector<Daemon> pids() const;
   static std::set<std::string> names_of(const std::vector<Daemon>& daemons);
 
