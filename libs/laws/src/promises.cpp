@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Times kept, ends told, idleness explained.
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "by_hand.hpp"
@@ -60,6 +61,18 @@ std::optional<std::string> broken_bound(const Uav& uav, const Goal& goal, const 
   return std::nullopt;
 }
 
+// Whether a text has this number in it, and not only as a part of another.
+bool names(const std::string& text, const std::string& number) {
+  const auto is_digit = [&](std::size_t at) {
+    return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0;
+  };
+  for (std::size_t at = text.find(number); at != std::string::npos;
+       at = text.find(number, at + 1)) {
+    if ((at == 0 || !is_digit(at - 1)) && !is_digit(at + number.size())) return true;
+  }
+  return false;
+}
+
 // Whether somebody was told that this goal is late, or early.
 bool reported(const Uav& uav, const Goal& goal) {
   const std::string id = std::to_string(goal.id);
@@ -68,7 +81,7 @@ bool reported(const Uav& uav, const Goal& goal) {
                       word.text.find("early") != std::string::npos ||
                       word.text.find("deadline") != std::string::npos ||
                       word.text.find("before") != std::string::npos;
-    return late && word.text.find(id) != std::string::npos;
+    return late && names(word.text, id);
   });
 }
 
@@ -177,9 +190,8 @@ bool says_why(const Word& word) {
 bool named(const Uav& uav, const std::set<std::int64_t>& goals, double from, double until) {
   return std::any_of(uav.words.begin(), uav.words.end(), [&](const Word& word) {
     if (word.at < from || word.at > until || !says_why(word)) return false;
-    return std::any_of(goals.begin(), goals.end(), [&](std::int64_t id) {
-      return word.text.find(std::to_string(id)) != std::string::npos;
-    });
+    return std::any_of(goals.begin(), goals.end(),
+                       [&](std::int64_t id) { return names(word.text, std::to_string(id)); });
   });
 }
 

@@ -490,6 +490,7 @@ TEST(Idle, WhoWaitsInTheAirWithOpenGoalsNamesOne) {
 
   EXPECT_THAT(idles("nothing to do: waits in safe mode"), SizeIs(1));
   EXPECT_THAT(idles("goal 701 cannot begin yet: no air is free"), IsEmpty());
+  EXPECT_THAT(idles("goal 7012 cannot begin yet: no air is free"), SizeIs(1)) << "another goal";
 }
 
 }  // namespace
