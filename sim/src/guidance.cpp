@@ -25,6 +25,10 @@ constexpr double kSinkGain = 0.25;      // [1/s] sink rate per metre of height, 
 constexpr double kNear = 0.05;          // [m] where directions no longer mean anything
 constexpr double kSlow = 1.5;           // [m/s] it may look elsewhere than it flies
 constexpr double kLookAhead = 2;        // [s] for rising ground
+constexpr double kForesight = 20;       // [s] for ground that rises faster than it climbs
+constexpr double kStride = 1;           // [s] between two looks of that foresight
+constexpr int kCircleLooks = 16;        // around its circle
+constexpr double kClimbShare = 0.7;     // of its climb rate is counted on
 constexpr double kOrbitGain = 1.5;      // how sharply it joins its circle
 
 double bearing(const Vector2& from, const Vector2& to) {
@@ -53,6 +57,9 @@ Guidance::Guidance(const world::VehicleModel& model, const world::Terrain& terra
 
 void Guidance::set(Goal goal) {
   goal_ = std::move(goal);
+  auto* fly = std::get_if<Fly>(&goal_);
+  if (fly && !model_.hovers && !model_.ground && !fly->waypoints.empty())
+    fly->waypoints.back().z() = above_circle(fly->waypoints.back());
   done_ = std::holds_alternative<Stay>(goal_) || std::holds_alternative<Hold>(goal_);
 }
 
@@ -208,8 +215,21 @@ Command Guidance::orbit(const Vehicle& vehicle, const Vector3& at) const {
   Command command;
   command.speed = model_.cruise_speed;
   command.course = around + std::numbers::pi / 2 + std::atan(kOrbitGain * excess);
-  command.climb = level_towards(state, at.z());
+  command.climb = level_towards(state, above_circle(at));
   return command;
+}
+
+/// The height to circle at: as asked, or higher where a part of the circle would lead into a slope.
+double Guidance::above_circle(const Vector3& at) const {
+  if (at.z() > terrain_->highest() + kLeastHeight) return at.z();
+  double height = at.z();
+  for (int look = 0; look < kCircleLooks; ++look) {
+    const double angle = 2 * std::numbers::pi * look / kCircleLooks;
+    const Vector2 there =
+        at.head<2>() + model_.orbit_radius * Vector2(std::cos(angle), std::sin(angle));
+    height = std::max(height, terrain_->elevation(there.x(), there.y()) + kLeastHeight);
+  }
+  return height;
 }
 
 /// True when the point lies inside the circle of that radius that would turn towards it.
@@ -248,8 +268,40 @@ void Guidance::avoid_ground(const Vehicle& vehicle, Command& command) const {
   const Vector3 ahead = state.position + kLookAhead * state.velocity;
   const double ground = std::max(terrain_->elevation(state.position.x(), state.position.y()),
                                  terrain_->elevation(ahead.x(), ahead.y()));
-  if (std::min(state.position.z(), ahead.z()) - ground < kLeastHeight / 2)
-    command.climb = model_.climb_rate;
+  const double height = std::min(state.position.z(), ahead.z()) - ground;
+  if (height < kLeastHeight / 2 || rises_too_fast(state)) command.climb = model_.climb_rate;
+}
+
+/// Whether it has to climb from now on to pass above the ground where it will be: on the tightest
+/// turn to its next way-point and straight there, or straight on where it has none.
+bool Guidance::rises_too_fast(const world::VehicleState& state) const {
+  if (state.position.z() > terrain_->highest() + kLeastHeight) return false;
+  const auto* fly = std::get_if<Fly>(&goal_);
+  const double stride = state.velocity.head<2>().norm() * kStride;
+  const double turn = model_.hovers ? std::numbers::pi : stride / model_.min_turn_radius;
+  double course = std::atan2(state.velocity.y(), state.velocity.x());
+  Vector2 there = state.position.head<2>();
+  for (double time = kStride; time <= kForesight; time += kStride) {
+    if (fly) {
+      const Vector2 aim = fly->waypoints[fly->next].head<2>();
+      if ((aim - there).norm() < stride) return false;
+      course += std::clamp(world::wrapped(bearing(there, aim) - course), -turn, turn);
+    }
+    there += stride * Vector2(std::cos(course), std::sin(course));
+    const double above = terrain_->elevation(there.x(), there.y()) + kLeastHeight;
+    if (above - state.position.z() > climbed_in(time, state.velocity.z())) return true;
+  }
+  return false;
+}
+
+/// What it gains in height [m] within `time` [s] if it begins to climb now; below 0 at first where
+/// it sinks now.
+double Guidance::climbed_in(double time, double rate_now) const {
+  const double rate = kClimbShare * model_.climb_rate;
+  const double response = std::max(0.0, (rate - rate_now) / model_.acceleration);
+  const double gains = std::min(time, response);
+  const double first = (rate_now + model_.acceleration * gains / 2) * gains;
+  return first + rate * (time - gains);
 }
 
 std::string Guidance::activity() const {

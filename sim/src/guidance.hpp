@@ -60,6 +60,7 @@ class Guidance {
   Guidance(const world::VehicleModel& model, const world::Terrain& terrain,
            const world::Wind& wind);
 
+  /// One that cannot hover ends its way as high as the circle there needs.
   void set(Goal goal);
   const Goal& goal() const { return goal_; }
   bool done() const { return done_; }
@@ -97,6 +98,9 @@ class Guidance {
   double level_towards(const world::VehicleState& state, double height) const;
   double pace() const;
   void avoid_ground(const Vehicle& vehicle, Command& command) const;
+  double above_circle(const world::Vector3& at) const;
+  bool rises_too_fast(const world::VehicleState& state) const;
+  double climbed_in(double time, double rate_now) const;
 
   world::VehicleModel model_;
   const world::Terrain* terrain_;

@@ -270,10 +270,8 @@ void Unit::step(MissionTime now, double dt, std::vector<Effect>& effects) {
   guidance_.look_at(sensors_.target());
   guidance_.set_pace(pace_at(now));
   const Command command = guidance_.next(vehicle_, pilot_.position_error(), pilot_.heading_error());
-  const Vector3& position = vehicle_.state().position;
-  const double ground = scene_.terrain.elevation(position.x(), position.y());
   const bool still = !vehicle_.state().airborne && command.climb <= 0;
-  vehicle_.step(command, still ? Vector3(Vector3::Zero()) : gusts_.next(dt), ground, dt);
+  vehicle_.step(command, still ? Vector3(Vector3::Zero()) : gusts_.next(dt), scene_.terrain, dt);
   guidance_.update(vehicle_, dt);
   watch_breakdowns(now, effects);
   watch_contact(now, effects);

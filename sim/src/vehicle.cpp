@@ -17,34 +17,50 @@ Vehicle::Vehicle(const world::VehicleModel& model, const Vector3& position, doub
   state_.energy = energy;
 }
 
-void Vehicle::step(const Command& command, const Vector3& wind, double ground, double dt) {
+void Vehicle::step(const Command& command, const Vector3& wind, const world::Terrain& terrain,
+                   double dt) {
   Command allowed = command;
-  if (model_.ground) return roll(allowed, ground, dt);
+  if (model_.ground) return roll(allowed, terrain, dt);
   if (!engine_works_) allowed = {0, state_.heading, -model_.descent_rate, std::nullopt, true};
   if (!state_.airborne && allowed.climb <= 0) {
-    touch(ground, true, dt);
+    touch(terrain, true, dt);
     draw_energy(dt);
     return;
   }
-  if (!state_.airborne) state_.position.z() = std::max(state_.position.z(), ground);
+  if (!state_.airborne) state_.position.z() = std::max(state_.position.z(), ground_below(terrain));
   state_.airborne = true;
   (model_.hovers) ? accelerate_hovering(allowed, dt) : accelerate_turning(allowed, dt);
   climb_towards(allowed.climb, dt);
   state_.velocity = air_velocity_ + model_.wind_drift * wind;
   state_.position += state_.velocity * dt;
-  if (state_.position.z() <= ground && air_velocity_.z() <= 0) touch(ground, allowed.may_touch, dt);
+  meet_ground(terrain, allowed.may_touch, dt);
   draw_energy(dt);
 }
 
+double Vehicle::ground_below(const world::Terrain& terrain) const {
+  return terrain.elevation(state_.position.x(), state_.position.y());
+}
+
+/// One that takes off up a slope rises with it; all others are down, or have crashed.
+void Vehicle::meet_ground(const world::Terrain& terrain, bool meant, double dt) {
+  const double ground = ground_below(terrain);
+  if (state_.position.z() > ground) return;
+  if (meant && air_velocity_.z() > 0)
+    state_.position.z() = ground;
+  else
+    touch(terrain, meant, dt);
+}
+
 /// On its wheels or tracks, wherever the ground leads up or down.
-void Vehicle::roll(const Command& command, double ground, double dt) {
+void Vehicle::roll(const Command& command, const world::Terrain& terrain, double dt) {
   Command allowed = command;
   if (!engine_works_) allowed.speed = 0;
   accelerate_hovering(allowed, dt);
-  const double rise = (ground - state_.position.z()) / dt;
   air_velocity_.z() = 0;
-  state_.velocity = Vector3(air_velocity_.x(), air_velocity_.y(), rise);
   state_.position.head<2>() += air_velocity_.head<2>() * dt;
+  const double ground = ground_below(terrain);
+  const double rise = (ground - state_.position.z()) / dt;
+  state_.velocity = Vector3(air_velocity_.x(), air_velocity_.y(), rise);
   state_.position.z() = ground;
   draw_energy(dt);
 }
@@ -83,7 +99,7 @@ void Vehicle::climb_towards(double climb, double dt) {
 }
 
 /// Down, or staying down: what is left of the way is rolled out within the acceleration.
-void Vehicle::touch(double ground, bool meant, double dt) {
+void Vehicle::touch(const world::Terrain& terrain, bool meant, double dt) {
   if (state_.airborne && !meant) {
     crashed_ = true;
     engine_works_ = false;
@@ -96,7 +112,7 @@ void Vehicle::touch(double ground, bool meant, double dt) {
   air_velocity_ = Vector3(along.x() * left, along.y() * left, 0);
   state_.velocity = air_velocity_;
   state_.position.head<2>() += air_velocity_.head<2>() * dt;
-  state_.position.z() = ground;
+  state_.position.z() = ground_below(terrain);
 }
 
 void Vehicle::draw_energy(double dt) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "skein/world/terrain.hpp"
 #include "skein/world/vehicle_model.hpp"
 #include "skein/world/vehicle_state.hpp"
 
@@ -27,8 +28,10 @@ class Vehicle {
   Vehicle(const world::VehicleModel& model, const world::Vector3& position, double heading,
           double energy);
 
-  /// Advances by `dt` [s]. `wind`: motion of the air [m/s]; `ground`: elevation below [m].
-  void step(const Command& command, const world::Vector3& wind, double ground, double dt);
+  /// Advances by `dt` [s] over the terrain. `wind`: motion of the air [m/s]. One that meets the
+  /// ground without meaning to has crashed, also while it climbs along a slope.
+  void step(const Command& command, const world::Vector3& wind, const world::Terrain& terrain,
+            double dt);
 
   const world::VehicleState& state() const { return state_; }
   world::VehicleState& state() { return state_; }
@@ -42,12 +45,14 @@ class Vehicle {
   bool crashed() const { return crashed_; }
 
  private:
-  void roll(const Command& command, double ground, double dt);
+  void roll(const Command& command, const world::Terrain& terrain, double dt);
   void accelerate_hovering(const Command& command, double dt);
   void accelerate_turning(const Command& command, double dt);
   void climb_towards(double climb, double dt);
   void draw_energy(double dt);
-  void touch(double ground, bool meant, double dt);
+  void meet_ground(const world::Terrain& terrain, bool meant, double dt);
+  void touch(const world::Terrain& terrain, bool meant, double dt);
+  double ground_below(const world::Terrain& terrain) const;
 
   world::VehicleModel model_;
   world::VehicleState state_;

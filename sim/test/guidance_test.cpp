@@ -30,8 +30,7 @@ struct Flown {
 
   void step() {
     const Command command = guidance.next(vehicle, Vector3::Zero(), 0);
-    const Vector3& at = vehicle.state().position;
-    vehicle.step(command, world::mean_velocity(wind), terrain.elevation(at.x(), at.y()), kStep);
+    vehicle.step(command, world::mean_velocity(wind), terrain, kStep);
     guidance.update(vehicle, kStep);
     time += kStep;
   }
@@ -246,6 +245,24 @@ TEST(Guidance, LooksAtWhatItIsToldWhenSlow) {
   f.run(20);
 
   EXPECT_NEAR(f.vehicle.state().heading, std::numbers::pi / 2, 0.05);
+}
+
+TEST(Guidance, AHillThatRisesFasterThanItClimbsIsClimbedFromFarEnough) {
+  const world::VehicleModel blimp = model_of("karma");    // 1.5 m/s at 8 m/s: 0.19 m/m
+  Flown f("karma", testing::with_hill(400, 0, 60, 200));  // 0.47 m/m half-way up
+  ASSERT_TRUE(f.fly(Rise{{0, 0}, 20}));
+  f.guidance.set(Fly{{{800, 0, 20}}, blimp.cruise_speed});
+
+  double least = 100;
+  while (!f.guidance.done() && f.time < 400) {
+    f.step();
+    const Vector3& at = f.vehicle.state().position;
+    least = std::min(least, at.z() - f.terrain.elevation(at.x(), at.y()));
+  }
+
+  EXPECT_FALSE(f.vehicle.crashed());
+  EXPECT_GT(least, 1) << "metres above the ground";
+  EXPECT_TRUE(f.guidance.done());
 }
 
 TEST(Guidance, RisingGroundAheadMakesItClimb) {

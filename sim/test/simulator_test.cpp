@@ -237,7 +237,7 @@ RC_GTEST_PROP(Simulator, NoVehicleEverExceedsItsLimits, ()) {
       RC_ASSERT(state.velocity.head<2>().norm() <= model.max_speed + drift + 1e-9);
       RC_ASSERT(state.velocity.z() <= model.climb_rate + 1e-9);
       RC_ASSERT(state.velocity.z() >= -model.descent_rate - 1e-9);
-      RC_ASSERT(height >= -0.5);
+      RC_ASSERT(height >= -1e-6);
       RC_ASSERT(height <= model.ceiling + 5);  // falling ground may leave it high for a moment
       RC_ASSERT(state.energy <= energy);
       RC_ASSERT(state.activity != "crashed");

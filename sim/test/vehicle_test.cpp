@@ -16,9 +16,17 @@ using world::Vector3;
 constexpr double kStep = 0.1;
 constexpr double kRounding = 1e-9;
 
+world::Terrain level(double height) {
+  world::TerrainSpec spec = testing::flat_spec();
+  spec.base = height;
+  return world::Terrain(spec);
+}
+
+const world::Terrain kLevel = level(0);
+
 Vehicle flying(const world::VehicleModel& model, double height = 100) {
   Vehicle vehicle(model, {0, 0, height}, 0, 1);
-  vehicle.step({model.cruise_speed, 0, 0.01, std::nullopt, true}, Vector3::Zero(), 0, kStep);
+  vehicle.step({model.cruise_speed, 0, 0.01, std::nullopt, true}, Vector3::Zero(), kLevel, kStep);
   return vehicle;
 }
 
@@ -43,7 +51,7 @@ RC_GTEST_PROP(Vehicle, NeverExceedsItsSpeedsAndAcceleration, ()) {
 
   for (const Command& command : *rc::gen::container<std::vector<Command>>(60, any_command())) {
     const Vector3 before = vehicle.air_velocity();
-    vehicle.step(command, Vector3::Zero(), 0, kStep);
+    vehicle.step(command, Vector3::Zero(), kLevel, kStep);
     const Vector3& after = vehicle.air_velocity();
 
     RC_ASSERT(after.head<2>().norm() <= model.max_speed + kRounding);
@@ -64,7 +72,7 @@ RC_GTEST_PROP(Vehicle, NeverTurnsTighterThanItsRadius, ()) {
 
   for (const Command& command : *rc::gen::container<std::vector<Command>>(60, any_command())) {
     const double before = vehicle.state().heading;
-    vehicle.step(command, Vector3::Zero(), 0, kStep);
+    vehicle.step(command, Vector3::Zero(), kLevel, kStep);
 
     const double turn = std::abs(world::wrapped(vehicle.state().heading - before));
     const double flown = vehicle.air_velocity().head<2>().norm() * kStep;
@@ -79,7 +87,7 @@ RC_GTEST_PROP(Vehicle, EnergyNeverGrowsAndStaysWithinItsRange, ()) {
 
   for (const Command& command : *rc::gen::container<std::vector<Command>>(60, any_command())) {
     const double before = vehicle.state().energy;
-    vehicle.step(command, Vector3::Zero(), 0, kStep);
+    vehicle.step(command, Vector3::Zero(), kLevel, kStep);
     RC_ASSERT(vehicle.state().energy <= before);
     RC_ASSERT(vehicle.state().energy >= 0);
   }
@@ -89,7 +97,7 @@ RC_GTEST_PROP(Vehicle, IsNeverUnderTheGround, ()) {
   Vehicle vehicle = flying(model_of(*any_model()), 5);
 
   for (const Command& command : *rc::gen::container<std::vector<Command>>(80, any_command())) {
-    vehicle.step(command, Vector3::Zero(), 0, kStep);
+    vehicle.step(command, Vector3::Zero(), kLevel, kStep);
     RC_ASSERT(vehicle.state().position.z() >= 0);
   }
 }
@@ -98,7 +106,7 @@ TEST(Vehicle, TheWindAddsItsDriftToTheVelocityOverTheGround) {
   const world::VehicleModel model = model_of("karma");
   Vehicle vehicle = flying(model);
 
-  vehicle.step({model.cruise_speed, 0, 0, std::nullopt, false}, {0, 5, 0}, 0, kStep);
+  vehicle.step({model.cruise_speed, 0, 0, std::nullopt, false}, {0, 5, 0}, kLevel, kStep);
 
   EXPECT_NEAR(vehicle.state().velocity.y(), model.wind_drift * 5, 1e-12);
 }
@@ -107,7 +115,7 @@ TEST(Vehicle, OneThatCannotHoverKeepsItsLeastSpeed) {
   const world::VehicleModel model = model_of("karma");
   Vehicle vehicle = flying(model);
 
-  for (int i = 0; i < 600; ++i) vehicle.step({}, Vector3::Zero(), 0, kStep);
+  for (int i = 0; i < 600; ++i) vehicle.step({}, Vector3::Zero(), kLevel, kStep);
 
   EXPECT_NEAR(vehicle.air_velocity().head<2>().norm(), model.min_speed, 1e-9);
 }
@@ -115,16 +123,43 @@ TEST(Vehicle, OneThatCannotHoverKeepsItsLeastSpeed) {
 TEST(Vehicle, StaysOnTheGroundUntilToldToClimb) {
   Vehicle vehicle(model_of("marvin"), {3, 4, 7}, 0, 1);
 
-  for (int i = 0; i < 10; ++i) vehicle.step({5, 0, 0}, {3, 0, 0}, 7, kStep);
+  for (int i = 0; i < 10; ++i) vehicle.step({5, 0, 0}, {3, 0, 0}, level(7), kStep);
 
   EXPECT_FALSE(vehicle.state().airborne);
   EXPECT_EQ(vehicle.state().position, Vector3(3, 4, 7));
 }
 
+TEST(Vehicle, FlyingIntoASlopeIsACrashAlsoWhileItClimbs) {
+  const world::Terrain hill = testing::with_hill(100, 0, 60, 80);  // 1.2 m/m half-way up
+  Vehicle vehicle = flying(model_of("marvin"), 10);
+
+  for (int i = 0; i < 600 && !vehicle.crashed(); ++i)
+    vehicle.step({5, 0, 1}, Vector3::Zero(), hill, kStep);
+
+  EXPECT_TRUE(vehicle.crashed());
+  const Vector3& at = vehicle.state().position;
+  EXPECT_NEAR(at.z(), hill.elevation(at.x(), at.y()), 1e-9) << "it lies on the slope";
+}
+
+TEST(Vehicle, TakingOffWhileTheWindDrivesItUpASlopeIsNone) {
+  const world::Terrain hill = testing::with_hill(100, 0, 60, 80);
+  Vehicle vehicle(model_of("marvin"), {60, 0, hill.elevation(60, 0)}, 0, 1);
+  const double climb = model_of("marvin").climb_rate;
+
+  for (int i = 0; i < 300; ++i) {
+    vehicle.step({0, 0, climb, std::nullopt, true}, {5, 0, 0}, hill, kStep);
+    const Vector3& at = vehicle.state().position;
+    ASSERT_GE(at.z(), hill.elevation(at.x(), at.y())) << "after " << i + 1 << " steps";
+  }
+
+  EXPECT_TRUE(vehicle.state().airborne);
+  EXPECT_FALSE(vehicle.crashed());
+}
+
 TEST(Vehicle, MeetingTheGroundUnmeantIsACrash) {
   Vehicle vehicle = flying(model_of("marvin"), 1);
 
-  for (int i = 0; i < 100; ++i) vehicle.step({5, 0, -2}, Vector3::Zero(), 0, kStep);
+  for (int i = 0; i < 100; ++i) vehicle.step({5, 0, -2}, Vector3::Zero(), kLevel, kStep);
 
   EXPECT_TRUE(vehicle.crashed());
   EXPECT_FALSE(vehicle.engine_works());
@@ -135,7 +170,7 @@ TEST(Vehicle, MeetingTheGroundMeantIsALanding) {
   Vehicle vehicle = flying(model_of("marvin"), 1);
 
   for (int i = 0; i < 100; ++i)
-    vehicle.step({0, 0, -0.5, std::nullopt, true}, Vector3::Zero(), 0, kStep);
+    vehicle.step({0, 0, -0.5, std::nullopt, true}, Vector3::Zero(), kLevel, kStep);
 
   EXPECT_FALSE(vehicle.crashed());
   EXPECT_FALSE(vehicle.state().airborne);
@@ -147,7 +182,7 @@ TEST(Vehicle, SinksWithoutEngineWhateverItIsTold) {
   Vehicle vehicle = flying(model, 20);
   vehicle.break_engine();
 
-  for (int i = 0; i < 300; ++i) vehicle.step({8, 0, 3}, Vector3::Zero(), 0, kStep);
+  for (int i = 0; i < 300; ++i) vehicle.step({8, 0, 3}, Vector3::Zero(), kLevel, kStep);
 
   EXPECT_FALSE(vehicle.state().airborne);
   EXPECT_EQ(vehicle.state().position.z(), 0);
@@ -158,7 +193,7 @@ TEST(Vehicle, DrawsWhatItsModelSays) {
   const world::VehicleModel model = model_of("marvin");
   Vehicle vehicle(model, Vector3::Zero(), 0, 1);
 
-  for (int i = 0; i < 100; ++i) vehicle.step({}, Vector3::Zero(), 0, kStep);
+  for (int i = 0; i < 100; ++i) vehicle.step({}, Vector3::Zero(), kLevel, kStep);
 
   EXPECT_NEAR((1 - vehicle.state().energy) * model.energy.capacity, model.energy.ground_power * 10,
               1e-6);
@@ -171,7 +206,7 @@ TEST(Vehicle, HoveringItTurnsToTheHeadingAskedNoFasterThanItsYawRate) {
   double fastest = 0;
   for (int i = 0; i < 100; ++i) {
     const double before = vehicle.state().heading;
-    vehicle.step({0, 0, 0, 2.0, false}, Vector3::Zero(), 0, kStep);
+    vehicle.step({0, 0, 0, 2.0, false}, Vector3::Zero(), kLevel, kStep);
     fastest = std::max(fastest, std::abs(world::wrapped(vehicle.state().heading - before)));
   }
 

@@ -179,11 +179,9 @@ void MavlinkVehicle::begin_failsafe() {
 }
 
 void MavlinkVehicle::fly() {
-  const Vector3& at = vehicle_.state().position;
-  const double ground = config_.terrain.elevation(at.x(), at.y());
   const sim::Command command = guidance_.next(vehicle_, Vector3::Zero(), 0);
   vehicle_.step(armed_ ? command : sim::Command{0, 0, 0, std::nullopt, true}, Vector3::Zero(),
-                ground, kStep.to_seconds());
+                config_.terrain, kStep.to_seconds());
   guidance_.update(vehicle_, kStep.to_seconds());
 }
 
