@@ -53,6 +53,20 @@ TEST(AirDesk, WhatItPromisedOneItRefusesAnotherAndSaysWhoHasIt) {
   EXPECT_THAT(answer.claim.waits_for, ElementsAre("heliv"));
 }
 
+TEST(AirDesk, PassesOnWhatOneHasToWhoWaitsForItAndAsks) {
+  AirTeam team;
+  const merging::Volume air{{0, 0}, {50, 0}, 5, 30, 50};
+  team.tells("heliv", {7, {{air}, 0, {}, {}}, 0, false, false});
+  const merging::Message word =
+      team.sent(team.tells("marvin", {9, {{}, 0, {air}, {"heliv"}}, 0, false, true}), "marvin");
+  EXPECT_EQ(word.of, "heliv");
+  EXPECT_EQ(word.number, 7U);
+  EXPECT_THAT(word.claim.held, ElementsAre(air));
+
+  const node::Effects later = team.tells("heliv", {8, {{}, 0, {}, {}}, 0, false, false});
+  EXPECT_THAT(team.sent(later, "marvin").claim.held, IsEmpty()) << "and whenever it changes";
+}
+
 TEST(AirDesk, WhoDoesNotMergeIsNotAnswered) {
   EXPECT_THAT(AirTeam().asks("karma", 7, 0), IsEmpty());
 }

@@ -43,6 +43,7 @@ wire::MergeMessage to_wire(const merging::Message& message) {
   sample.answered = message.answered;
   sample.granted = message.granted;
   sample.asks = message.asks;
+  sample.of = message.of;
   return sample;
 }
 
@@ -58,6 +59,7 @@ Read<merging::Message> from_wire(const wire::MergeMessage& sample) {
   message.answered = sample.answered;
   message.granted = sample.granted;
   message.asks = sample.asks;
+  message.of = sample.of;
   return message;
 }
 

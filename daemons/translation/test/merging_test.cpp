@@ -33,6 +33,7 @@ RC_GTEST_PROP(MergeMessage, ComesBackAsItWent, ()) {
   message.answered = *rc::gen::arbitrary<std::uint64_t>();
   message.granted = *rc::gen::arbitrary<bool>();
   message.asks = *rc::gen::arbitrary<bool>();
+  message.of = *rc::gen::element<std::string>("", "karma");
 
   const auto back = from_wire(to_wire(message));
 

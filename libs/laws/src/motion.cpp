@@ -90,6 +90,27 @@ bool somebody_holds(const History& history) {
   });
 }
 
+// For how much of that time somebody heard this one [s], most of anybody.
+double heard_for(const History& history, const std::string& name, double since, double until) {
+  double most = history.joint.up_for(name, "ground", since, until);
+  for (const auto& [other, uav] : history.uavs)
+    if (other != name) most = std::max(most, history.joint.up_for(name, other, since, until));
+  return most;
+}
+
+// For how much of that time it reached the ground station, and nobody for whom it waited was out of
+// reach of all [s]: that one may still be there, for all that anybody knows.
+double might_begin_for(const History& history, const std::string& name, double since,
+                       double until) {
+  double seconds = history.joint.up_for(name, "ground", since, until);
+  for (const AirWait& wait : history.air.waits) {
+    if (wait.uav != name || wait.at < since || wait.at > until) continue;
+    for (const std::string& other : wait.for_others)
+      seconds = std::min(seconds, heard_for(history, other, since, until));
+  }
+  return seconds;
+}
+
 // Given up one after the other: who does not wait for ever with one motion may do so with many.
 void given_up_in_vain(const History& history, const Uav& uav, std::vector<Violation>& result) {
   constexpr double kLongest = 1500;  // [s] of a goal, in all: three tries, and flights aside
@@ -98,8 +119,8 @@ void given_up_in_vain(const History& history, const Uav& uav, std::vector<Violat
     const bool may_be_given_up = motion.type == "goto" || motion.type == "takeoff";
     if (motion.started == kNever || !may_be_given_up || begun(uav, motion) != kNever) continue;
     if (const std::int64_t goal = uav.goal_of_task(task); goal != 0)
-      waited[goal] += history.joint.up_for(uav.name(), "ground", motion.started,
-                                           std::min(motion.over, history.end));
+      waited[goal] +=
+          might_begin_for(history, uav.name(), motion.started, std::min(motion.over, history.end));
   }
   for (const auto& [goal, seconds] : waited) {
     if (seconds <= kLongest) continue;
@@ -123,7 +144,7 @@ std::vector<Violation> motions_never_begun(const History& history) {
     for (const auto& [task, motion] : uav.executions) {
       if (motion.started == kNever || !motion.is_motion() || motion.type == "wait") continue;
       const double until = std::min({begun(uav, motion), motion.over, history.end});
-      if (history.joint.up_for(name, "ground", motion.started, until) <= kLongest) continue;
+      if (might_begin_for(history, name, motion.started, until) <= kLongest) continue;
       result.push_back(
           {"", motion.started, name, uav.goal_of_task(task),
            named(uav, task, motion.type) + kNotBegun + figure(until - motion.started) + " s"});

@@ -83,6 +83,20 @@ TEST(BeginsLaw, OneThatIsOutOfReachOfTheGroundDoesNotUntilItIsBack) {
   EXPECT_THAT(broken(500), ElementsAre(HasSubstr("does not begin for 1890.0 s")));
 }
 
+// Where it was when somebody heard it last it may still be.
+TEST(BeginsLaw, OneThatWaitsForSomebodyWhomNobodyHearsDoesNot) {
+  const auto broken = [](double back) {
+    Story story = asked();
+    story.does("marvin", {7, "goto", 0, 10, 2000, "ended", "", {}, "", 1900});
+    story.air("marvin", 11, "waits", "heliv to leave");
+    for (const std::string by : {"ground", "marvin", "karma"})
+      story.link(50, "heliv", by, false).link(back, "heliv", by, true);
+    return story.broken("begins");
+  };
+  EXPECT_THAT(broken(1500), IsEmpty());
+  EXPECT_THAT(broken(500), ElementsAre(HasSubstr("does not begin for 1890.0 s")));
+}
+
 // Six minutes each, and none is flown.
 Story gives_up(int times) {
   Story story = asked();

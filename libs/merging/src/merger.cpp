@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "keeps_from.hpp"
+#include "names.hpp"
 #include "skein/foundation/contract.hpp"
 
 namespace skein::merging {
@@ -11,10 +12,6 @@ namespace skein::merging {
 namespace {
 
 constexpr Duration kClocksApart = Duration::milliseconds(1'000);  ///< of two members, at the most
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 }  // namespace
 
@@ -81,8 +78,11 @@ void Merger::hear_witness(const Message& message) {
 }
 
 void Merger::on(const Heard& heard) {
-  if (third_ && heard.from == third_->name) return hear_witness(heard.message);
-  const auto found = peers_.find(heard.from);
+  const bool by_witness = third_ && heard.from == third_->name;
+  if (by_witness && heard.message.of.empty()) return hear_witness(heard.message);
+  if (by_witness != !heard.message.of.empty()) return;
+  const std::string& whose = by_witness ? heard.message.of : heard.from;
+  const auto found = peers_.find(whose);
   if (found == peers_.end()) return;
   Peer& peer = found->second;
   const Message& message = heard.message;
@@ -100,7 +100,7 @@ void Merger::on(const Heard& heard) {
   if (answers && message.granted) peer.agreed = true;
   if (answers && !message.granted) close(limits_.again);
   answer(peer);
-  if (is_new || message.asks) tell(heard.from, false);
+  if (is_new || message.asks) tell(whose, false);
 }
 
 /// Between this and a later one: yes to what this one neither has nor asks for; to an earlier one,
@@ -127,7 +127,9 @@ void Merger::on(const InReach& reach) {
   const auto found = peers_.find(reach.peer);
   if (found == peers_.end()) return;
   const bool back = reach.reachable && !found->second.reachable;
+  const bool lost = !reach.reachable && found->second.reachable;
   found->second.reachable = reach.reachable;
+  if (third_ && lost && is_among(awaited(), reach.peer)) changed_ = true;
   if (back || (reach.reachable && !found->second.heard)) tell(reach.peer, true);
 }
 
@@ -230,7 +232,7 @@ Volumes Merger::taken(const std::vector<std::string>& wanting) const {
   Volumes all;
   for (const auto& [name, peer] : peers_) {
     all.insert(all.end(), peer.claim.held.begin(), peer.claim.held.end());
-    if (peer.claim.request != 0 || contains(wanting, name))
+    if (peer.claim.request != 0 || is_among(wanting, name))
       all.insert(all.end(), peer.claim.wanted.begin(), peer.claim.wanted.end());
   }
   return all;
@@ -339,6 +341,13 @@ void Merger::tell(const std::string& name, bool asks) {
       Tell{name, Message{numbers_.next(now_), claim(), peer.answered, peer.granted, asks}});
 }
 
+/// It waits for one out of reach to leave, who may have told the witness since that it has left.
+bool Merger::follows() const {
+  const auto names = awaited();
+  return std::any_of(names.begin(), names.end(),
+                     [&](const auto& name) { return !peers_.at(name).reachable; });
+}
+
 /// One request at a time: what is asked for now, or else what is to be kept.
 void Merger::tell_witness(bool asks) {
   if (!third_ || !third_->reachable) return;
@@ -347,11 +356,12 @@ void Merger::tell_witness(bool asks) {
     standby_.replace(now_);
   } else {
     if (standby_.is_due(now_)) standby_.ask(requests_.next(now_), now_);
+    asks = asks || follows();
     told.keeps = standby_.request() != 0;
     if (told.keeps) {
       told.request = standby_.request();
       told.wanted = standby_.volumes();
-      asks = !standby_.kept();
+      asks = asks || !standby_.kept();
     }
   }
   out_.push_back(Tell{third_->name, Message{numbers_.next(now_), std::move(told), 0, false, asks}});

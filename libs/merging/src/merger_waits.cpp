@@ -2,17 +2,10 @@
 // What a member waits for, and who of a circle gets out of the way.
 #include <algorithm>
 
+#include "names.hpp"
 #include "skein/merging/merger.hpp"
 
 namespace skein::merging {
-
-namespace {
-
-bool is_among(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-}  // namespace
 
 std::string_view to_text(Awaited what) {
   switch (what) {
@@ -48,7 +41,7 @@ std::vector<Merger::Waiter> Merger::waiters() const {
   std::vector<Waiter> all;
   for (const auto& [name, peer] : peers_) {
     const std::vector<std::string>& for_whom = peer.claim.waits_for;
-    if (std::find(for_whom.begin(), for_whom.end(), self_) == for_whom.end()) continue;
+    if (!is_among(for_whom, self_)) continue;
     if (!overlap(held_, peer.claim.wanted)) continue;
     all.push_back({name, overlap({held_.back()}, peer.claim.wanted)});
   }
@@ -88,7 +81,7 @@ std::vector<std::string> Merger::waits_for() const {
   std::vector<std::string> names = in_its_way();
   for (const auto& [name, peer] : peers_) {
     const bool stands = has(peer, afterwards_) || yields_to(peer, afterwards_);
-    if (stands && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (stands && !is_among(names, name)) names.push_back(name);
   }
   return names;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "keeps_from.hpp"
+#include "names.hpp"
 
 namespace skein::merging {
 
@@ -32,8 +33,19 @@ std::vector<Witness::Answer> Witness::hear(const std::string& from, const Messag
   if (message.number <= record.number) return {};
   take(record, message);
   answer(from, record);
+  std::vector<Answer> answers;
+  if (message.asks) answers = replies_to(from, record, now);
+  if (record.follows)
+    for (const std::string& name : record.claim.waits_for) pass_on(name, from, answers);
+  for (const auto& [name, other] : records_)
+    if (other.follows && is_among(other.claim.waits_for, from)) pass_on(from, name, answers);
+  return answers;
+}
+
+std::vector<Witness::Answer> Witness::replies_to(const std::string& from, const Record& record,
+                                                 MissionTime now) {
   const std::uint64_t request = record.claim.request;
-  if (!message.asks || request == 0 || record.answered != request) return {};
+  if (request == 0 || record.answered != request) return {};
   std::vector<Answer> answers{answer_to(from, request, record.granted, now)};
   if (record.granted) return answers;
   answers.front().message.claim.waits_for = refusers_;
@@ -44,6 +56,20 @@ std::vector<Witness::Answer> Witness::hear(const std::string& from, const Messag
       answers.push_back(answer_to(name, other.claim.request, false, now));
   }
   return answers;
+}
+
+/// As if `of` had told it `to` itself. What it wants to be kept is between the two of them.
+void Witness::pass_on(const std::string& of, const std::string& to,
+                      std::vector<Answer>& answers) const {
+  const auto found = records_.find(of);
+  if (found == records_.end() || !found->second.heard || of == to) return;
+  Claim claim = found->second.claim;
+  if (claim.keeps) {
+    claim.request = 0;
+    claim.wanted.clear();
+    claim.keeps = false;
+  }
+  answers.push_back({to, Message{found->second.number, std::move(claim), 0, false, false, of}});
 }
 
 Witness::Answer Witness::answer_to(const std::string& to, std::uint64_t request, bool granted,
@@ -64,6 +90,7 @@ void Witness::take(Record& record, const Message& message) {
   record.heard = true;
   record.number = message.number;
   record.claim = message.claim;
+  record.follows = message.asks && (record.claim.request == 0 || record.claim.keeps);
 }
 
 /// Once for each request that was granted; one that was refused is given up by who asked, and may

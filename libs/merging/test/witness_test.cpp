@@ -63,7 +63,7 @@ TEST(Witness, WhatOneHadThatDiedInTheAirStaysItsOwnAndIsNamed) {
 
   trio.give(kBert, Want{{{street(50, 60)}, {street(200, 300)}}});
   trio.run_for(20, {kAnna});
-  EXPECT_EQ(trio.granted(kBert), 0) << "it asks for the first that is free as far as it knows";
+  EXPECT_EQ(trio.granted(kBert), 1) << "it was told what the dead one has, and takes what is free";
 }
 
 TEST(Witness, ACutBetweenTwoKeepsNeitherFromNewAirWhileBothReachTheWitness) {
@@ -133,7 +133,96 @@ TEST(Witness, OfStrangersNothingIsHeard) {
               IsEmpty());
 }
 
+// ---- what one out of reach told the witness since is gone by ----
+
+/// A has the street from 0 to 100, as B has heard, and goes out of B's reach.
+Trio one_that_left_reach() {
+  Trio trio = two();
+  trio.give(kAnna, Want{{{street(0, 100)}}});
+  trio.run_for(1);
+  EXPECT_EQ(trio.granted(kAnna), 1);
+  for (const auto& [one, other] : {std::pair(kAnna, kBert), std::pair(kBert, kAnna)})
+    trio.give(one, InReach{other, false});
+  return trio;
+}
+
+TEST(Witness, WhatOneOutOfReachHasLeftIsFreeAsSoonAsTheWitnessKnows) {
+  Trio trio = one_that_left_reach();
+  trio.give(kBert, Want{{{street(50, 60)}}});
+  trio.run_for(5);
+  ASSERT_EQ(trio.granted(kBert), 0);
+  EXPECT_THAT(trio.whys(kBert), ElementsAre(Waits::Why{kAnna, Awaited::kToLeave}));
+
+  trio.give(kAnna, Hold{{}});
+  trio.run_for(1);
+  EXPECT_EQ(trio.granted(kBert), 1) << "it had asked the witness to be told";
+}
+
+TEST(Witness, AlsoIfItLeftBeforeAnybodyWaited) {
+  Trio trio = one_that_left_reach();
+  trio.give(kAnna, Hold{{}});
+  trio.run_for(1);
+  trio.give(kBert, Want{{{street(50, 60)}}});
+  trio.run_for(1);
+  EXPECT_EQ(trio.granted(kBert), 1);
+}
+
+TEST(Witness, AlsoIfWhoWaitsHeardItStillWhenItBegan) {
+  Trio trio = two();
+  trio.give(kAnna, Want{{{street(0, 100)}}});
+  trio.run_for(1);
+  trio.give(kBert, Want{{{street(50, 60)}}});
+  trio.run_for(1);
+  for (const auto& [one, other] : {std::pair(kAnna, kBert), std::pair(kBert, kAnna)})
+    trio.give(one, InReach{other, false});
+  trio.run_for(1);
+  trio.give(kAnna, Hold{{}});
+  trio.run_for(1);
+  EXPECT_EQ(trio.granted(kBert), 1);
+}
+
+TEST(Witness, WhereItWentInsteadIsKnownToWhoWaitedForIt) {
+  Trio trio = one_that_left_reach();
+  trio.give(kBert, Want{{{street(50, 60)}}});
+  trio.run_for(1);
+  trio.give(kAnna, Want{{{street(200, 300)}}});
+  trio.run_for(1);
+  ASSERT_EQ(trio.granted(kAnna), 2);
+  trio.give(kAnna, Hold{{street(200, 300)}});
+  trio.run_for(1);
+  ASSERT_EQ(trio.granted(kBert), 1);
+  EXPECT_EQ(trio.member(kBert).others(), (Volumes{street(200, 300)}));
+}
+
+TEST(Witness, TheWordOfAnotherIsTakenFromTheWitnessAlone) {
+  Trio trio = one_that_left_reach();
+  trio.give(kBert, Want{{{street(50, 60)}}});
+  Message forged{~0ULL, {}, 0, false, false, kAnna};
+  trio.give(kBert, Heard{kAnna, forged});
+  trio.run_for(5, {kAnna});
+  EXPECT_EQ(trio.granted(kBert), 0);
+}
+
 // ---- never two in one air ----
+
+TEST(Witness, NorDoTwoOutOfReachOfEachOtherOfWhomOneGoesByThePassedOnWordOfTheOther) {
+  Trio waits = one_that_left_reach();
+  waits.give(kBert, Want{{{street(50, 150)}}});
+  Exploration all(50);
+  EXPECT_FALSE(all.finds_two(waits, 7));
+  EXPECT_GT(all.states(), 10'000);
+
+  Trio promised = two();
+  promised.give(kAnna, Want{{{street(0, 100)}}});  // B promises, and A has not heard so yet
+  while (promised.under_way().size() > 0 && promised.under_way().front().to != kBert)
+    promised.deliver(0);
+  promised.deliver(0);
+  for (const auto& [one, other] : {std::pair(kAnna, kBert), std::pair(kBert, kAnna)})
+    promised.give(one, InReach{other, false});
+  promised.give(kBert, Want{{{street(50, 150)}}});
+  Exploration then(50);
+  EXPECT_FALSE(then.finds_two(promised, 7));
+}
 
 TEST(Witness, TwoThatWantTheSameNeverBothHaveItInWhateverOrderAllIsHeard) {
   Trio trio = two();

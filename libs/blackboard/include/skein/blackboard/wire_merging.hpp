@@ -38,9 +38,10 @@ struct MergeMessage {
   std::uint64_t answered = 0;
   bool granted = false;
   bool asks = false;
+  std::string of;  ///< from the ground station: whose word it passes on; empty: its own
   bool operator==(const MergeMessage&) const = default;
 };
 SKEIN_WIRE_FIELDS(MergeMessage, header, number, held, request, wanted, waits_for, keeps, answered,
-    granted, asks)
+    granted, asks, of)
 
 }  // namespace skein::wire

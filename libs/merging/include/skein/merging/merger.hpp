@@ -126,7 +126,8 @@ struct Limits {
 /// With a witness (witness.hpp) two of three must agree, the two of a pair and the witness: each
 /// asks the other and the witness, and the word of one of them is enough. So nobody waits for one
 /// that is dead, late or cut off while the witness is in reach, except for air which that one may
-/// have; who reaches neither takes nothing new, but what the witness keeps free for it (Need).
+/// have; who reaches neither takes nothing new, but what the witness keeps free for it (Need). The
+/// witness passes on to who waits for one out of reach what that one has told it since.
 /// docs/decisions/0052-two-of-three.md, 0058-the-way-home-is-kept-free.md.
 ///
 /// `now` never decreases. Deterministic. Cost of an input: O(volumes held × volumes wanted).
@@ -217,6 +218,7 @@ class Merger {
   bool waits_longer(const Peer& peer) const;
   void tell(const std::string& name, bool asks);
   void tell_witness(bool asks);
+  bool follows() const;
   void tell_all();
   void ask_again();
   Claim claim() const;

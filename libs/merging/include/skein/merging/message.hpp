@@ -26,7 +26,10 @@ struct Message {
   Claim claim;
   std::uint64_t answered = 0;  ///< the last request of the receiver's that was answered; 0: none
   bool granted = false;
-  bool asks = false;  ///< to be answered by a message
+  /// To be answered by a message; to a witness without a request, or with one for air to keep: by
+  /// what those have for whom it waits, now and whenever that changes.
+  bool asks = false;
+  std::string of = {};  ///< from a witness: whose word it passes on, as told; empty: its own
   bool operator==(const Message&) const = default;
 };
 

@@ -33,8 +33,10 @@ class Witness {
     std::string to;
     Message message;
   };
-  /// The answer to who asked, if he asked; and who is kept some of that air, to take when it is out
-  /// of reach, is told that another wants to fly there. Of strangers nothing is heard.
+  /// The answer to who asked, if he asked, or what those told last for whom he waits; to those who
+  /// wait for this one, what it tells, if they asked; and who is kept some of that air, to take
+  /// when it is out of reach, is told that another wants to fly there. Of strangers nothing is
+  /// heard.
   std::vector<Answer> hear(const std::string& from, const Message& message, MissionTime now);
 
  private:
@@ -44,11 +46,14 @@ class Witness {
     Claim claim;
     std::uint64_t answered = 0;
     bool granted = false;
+    bool follows = false;      ///< it is to be told what those have for whom it waits
     std::uint64_t unsure = 0;  ///< its request that may have been promised in a life before
   };
 
   void take(Record& record, const Message& message);
   void answer(const std::string& from, Record& record);
+  std::vector<Answer> replies_to(const std::string& from, const Record& record, MissionTime now);
+  void pass_on(const std::string& of, const std::string& to, std::vector<Answer>& answers) const;
   Answer answer_to(const std::string& to, std::uint64_t request, bool granted, MissionTime now);
   bool is_kept_for(const Record& record, const Volumes& volumes) const;
   bool may_have(const Record& record, const Claim& asks) const;
