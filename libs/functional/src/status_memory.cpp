@@ -11,6 +11,7 @@ void StatusMemory::set(const Status& status) {
   kept = status;
   if (was_over || !is_terminal(status.state)) return;
   past_.set(status.id.value(), 0);
+  std::erase(over_, status.id);  // it was over before, and came again
   over_.push_back(status.id);
   if (over_.size() > kKept) let_go_of_oldest();
 }
