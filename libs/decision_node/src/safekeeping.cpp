@@ -2,6 +2,7 @@
 #include "safekeeping.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core.hpp"
 #include "skein/elementary/parameter_reader.hpp"
@@ -171,14 +172,26 @@ bool Safekeeping::must_return(const world::Telemetry& telemetry) const {
                                     telemetry.state.position);
 }
 
-// Whoever has it in hand decides; the UAV itself comes home only where it deliberates, or holds.
+// Whoever has it in hand decides; the UAV itself comes home only where it deliberates, holds, or
+// was left in the air.
 void Safekeeping::warn_of_energy(const world::Telemetry& telemetry) {
   const MissionTime now = core_.bus().now();
-  if (warned_ || core_.deliberation().engaged() || now < looked_at_energy_ + kEnergyAgain) return;
+  const bool left = is_left_alone();
+  if (core_.deliberation().engaged() || now < looked_at_energy_ + kEnergyAgain) return;
+  if (warned_ && !left) return;
   looked_at_energy_ = now;
   if (!must_return(telemetry)) return;
-  warned_ = true;
-  core_.bus().emit(Notice{"its energy lasts no longer than to come home"});
+  if (!std::exchange(warned_, true))
+    core_.bus().emit(Notice{"its energy lasts no longer than to come home"});
+  if (!left) return;
+  core_.bus().emit(PolicyCarriedOut{
+      ContactPolicy::kReturn, "left in the air without a task, and its deliberation was stopped"});
+  keep(ContactPolicy::kReturn);
+}
+
+// At degree 4 no operator looks after it between two tasks.
+bool Safekeeping::is_left_alone() const {
+  return mission::deliberates(core_.degree()) && is_idle() && !again_at_;
 }
 
 /// While it is on its way, where that leads counts.

@@ -46,6 +46,7 @@ class Safekeeping {
   bool must_return(const world::Telemetry& telemetry) const;
   bool may_be_on_its_way() const;
   bool is_idle() const;
+  bool is_left_alone() const;
   bool knows_world() const;
   std::vector<world::Vector3> way_to(const world::Vector3& home,
                                      const std::optional<world::Vector3>& from) const;
