@@ -22,6 +22,11 @@ void Progress::see(const journal::Record& record) {
     phase_ = record.text("name");
     changed_ = true;
   }
+  if (record.kind() == "global-mission" && record.text("state") == "refused") {
+    say(to_clock_text(record.at()) + "  global mission " +
+        std::to_string(static_cast<std::int64_t>(record.number("mission"))) +
+        " is refused: " + std::string(record.text("why")));
+  }
   if (record.kind() != "task") return;
   const std::string uav(record.text("uav"));
   const auto id = static_cast<std::int64_t>(record.number("task"));

@@ -20,6 +20,7 @@ class Progress {
 
   Progress(std::ostream& out, Style style, std::vector<std::string> uavs);
 
+  /// What the team cannot do is said at once.
   void see(const journal::Record& record);
   /// Shows how things stand; to call about ten times per second.
   void show(MissionTime now);

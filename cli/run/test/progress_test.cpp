@@ -64,6 +64,17 @@ TEST_F(ProgressLines, AreNotChangedByRecordsOfOtherKinds) {
   EXPECT_EQ(shown(1), "");
 }
 
+TEST_F(ProgressLines, SayAtOnceThatAMissionIsRefusedAndWhy) {
+  progress.see(journal::Record(at(18), "ground", "global-mission")
+                   .with("mission", 1)
+                   .with("state", "refused")
+                   .with("why", "tasks 11, 12: the last cannot end before 40 s"));
+
+  EXPECT_EQ(
+      out.str(),
+      "0:00:18  global mission 1 is refused: tasks 11, 12: the last cannot end before 40 s\n");
+}
+
 class TaskStates : public ProgressLines, public ::testing::WithParamInterface<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Shown, TaskStates, ::testing::Values("started", "running", "aborting"));
 

@@ -65,6 +65,7 @@ void write_body(Markup& out, const Run& run) {
   write_timeline_legend(out);
   out.close();
   write_goal_table(out, run);
+  write_auction_table(out, run);
   write_decision_table(out, run);
   write_negotiations(out, run);
   write_explained_tasks(out, run);

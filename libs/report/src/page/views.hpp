@@ -70,6 +70,8 @@ void write_event_list(Markup& out, const Run& run);
 /// none.
 void write_goal_table(Markup& out, const Run& run);
 void write_decision_table(Markup& out, const Run& run);
+/// Who offered what for each task of the team. Nothing where there was no auction.
+void write_auction_table(Markup& out, const Run& run);
 /// Negotiations of joint tasks as sequence diagrams: nothing where there are none.
 void write_negotiations(Markup& out, const Run& run);
 void write_explained_tasks(Markup& out, const Run& run);

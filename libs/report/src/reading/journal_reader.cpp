@@ -224,6 +224,8 @@ constexpr std::array kKinds{
     kind<lines::Meeting, &Journal::meetings>(),
     kind<lines::Frontier, &Journal::frontiers>(),
     kind<lines::Owner, &Journal::owners>(),
+    kind<lines::Sale, &Journal::sales>(),
+    kind<lines::Bid, &Journal::bids>(),
     kind<lines::Joint, &Journal::joints>(),
     kind<lines::RoleTask, &Journal::role_tasks>(),
     kind<lines::Scm, &Journal::scms>(),

@@ -12,7 +12,7 @@ namespace skein::report {
 namespace {
 
 constexpr std::size_t kMostMessageLines = 3000;
-constexpr std::size_t kMostMessagesShown = 800;
+constexpr std::size_t kMostMessagesShown = 400;
 constexpr double kInset = 3.0;  // arrows stop short of the rails' middle
 
 void draw_flight(Sheet& sheet, Markup& out, const Flight& flight, const std::string& kind,

@@ -51,6 +51,8 @@ struct Journal {
   std::vector<Told<journal::lines::Meeting>> meetings;
   std::vector<Told<journal::lines::Frontier>> frontiers;
   std::vector<Told<journal::lines::Owner>> owners;
+  std::vector<Told<journal::lines::Sale>> sales;
+  std::vector<Told<journal::lines::Bid>> bids;
   std::vector<Told<journal::lines::Joint>> joints;
   std::vector<Told<journal::lines::RoleTask>> role_tasks;
   std::vector<Told<journal::lines::Scm>> scms;
@@ -66,8 +68,8 @@ auto records_of(auto& j) {
                   j.routes, j.telemetry, j.objects, j.perceptions, j.alarms, j.phases, j.operators,
                   j.degrees, j.faults, j.processes, j.dropped, j.undelivered, j.missions,
                   j.expectations, j.goals, j.plans, j.planned, j.decisions, j.seen, j.air,
-                  j.meetings, j.frontiers, j.owners, j.joints, j.role_tasks, j.scms, j.places,
-                  j.negotiations, j.others);
+                  j.meetings, j.frontiers, j.owners, j.sales, j.bids, j.joints, j.role_tasks,
+                  j.scms, j.places, j.negotiations, j.others);
 }
 
 /// What could be read, and what was wrong with the other lines.
