@@ -27,9 +27,18 @@ constexpr double kSlow = 1.5;           // [m/s] it may look elsewhere than it f
 constexpr double kLookAhead = 2;        // [s] for rising ground
 constexpr double kForesight = 20;       // [s] for ground that rises faster than it climbs
 constexpr double kStride = 1;           // [s] between two looks of that foresight
-constexpr int kCircleLooks = 16;        // around its circle
 constexpr double kClimbShare = 0.7;     // of its climb rate is counted on
 constexpr double kOrbitGain = 1.5;      // how sharply it joins its circle
+
+/// All around, from east on.
+std::vector<Vector2> directions(int count) {
+  std::vector<Vector2> all;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    all.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return all;
+}
 
 double bearing(const Vector2& from, const Vector2& to) {
   return std::atan2(to.y() - from.y(), to.x() - from.x());
@@ -222,11 +231,10 @@ Command Guidance::orbit(const Vehicle& vehicle, const Vector3& at) const {
 /// The height to circle at: as asked, or higher where a part of the circle would lead into a slope.
 double Guidance::above_circle(const Vector3& at) const {
   if (at.z() > terrain_->highest() + kLeastHeight) return at.z();
+  static const std::vector<Vector2> kAround = directions(16);
   double height = at.z();
-  for (int look = 0; look < kCircleLooks; ++look) {
-    const double angle = 2 * std::numbers::pi * look / kCircleLooks;
-    const Vector2 there =
-        at.head<2>() + model_.orbit_radius * Vector2(std::cos(angle), std::sin(angle));
+  for (const Vector2& direction : kAround) {
+    const Vector2 there = at.head<2>() + model_.orbit_radius * direction;
     height = std::max(height, terrain_->elevation(there.x(), there.y()) + kLeastHeight);
   }
   return height;
@@ -275,13 +283,16 @@ void Guidance::avoid_ground(const Vehicle& vehicle, Command& command) const {
 /// Whether it has to climb from now on to pass above the ground where it will be: on the tightest
 /// turn to its next way-point and straight there, or straight on where it has none.
 bool Guidance::rises_too_fast(const world::VehicleState& state) const {
-  if (state.position.z() > terrain_->highest() + kLeastHeight) return false;
+  const double rise = terrain_->highest() + kLeastHeight - state.position.z();
+  if (rise < 0) return false;
   const auto* fly = std::get_if<Fly>(&goal_);
   const double stride = state.velocity.head<2>().norm() * kStride;
   const double turn = model_.hovers ? std::numbers::pi : stride / model_.min_turn_radius;
   double course = std::atan2(state.velocity.y(), state.velocity.x());
   Vector2 there = state.position.head<2>();
   for (double time = kStride; time <= kForesight; time += kStride) {
+    const double climbed = climbed_in(time, state.velocity.z());
+    if (climbed >= rise) return false;  // from then on above everything
     if (fly) {
       const Vector2 aim = fly->waypoints[fly->next].head<2>();
       if ((aim - there).norm() < stride) return false;
@@ -289,7 +300,7 @@ bool Guidance::rises_too_fast(const world::VehicleState& state) const {
     }
     there += stride * Vector2(std::cos(course), std::sin(course));
     const double above = terrain_->elevation(there.x(), there.y()) + kLeastHeight;
-    if (above - state.position.z() > climbed_in(time, state.velocity.z())) return true;
+    if (above - state.position.z() > climbed) return true;
   }
   return false;
 }

@@ -22,7 +22,7 @@ world::Terrain level(double height) {
   return world::Terrain(spec);
 }
 
-const world::Terrain kLevel = level(0);
+const world::Terrain kLevel = testing::flat();
 
 Vehicle flying(const world::VehicleModel& model, double height = 100) {
   Vehicle vehicle(model, {0, 0, height}, 0, 1);

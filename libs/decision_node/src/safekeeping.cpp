@@ -176,8 +176,8 @@ bool Safekeeping::must_return(const world::Telemetry& telemetry) const {
 // was left in the air.
 void Safekeeping::warn_of_energy(const world::Telemetry& telemetry) {
   const MissionTime now = core_.bus().now();
-  const bool left = is_left_alone();
   if (core_.deliberation().engaged() || now < looked_at_energy_ + kEnergyAgain) return;
+  const bool left = is_left_alone();
   if (warned_ && !left) return;
   looked_at_energy_ = now;
   if (!must_return(telemetry)) return;

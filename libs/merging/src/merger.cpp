@@ -199,14 +199,10 @@ bool Merger::may_have_been_promised(std::uint64_t request) const {
   return third_ && !first_life_ && request < Rising::least(*begun_ + kClocksApart);
 }
 
-bool Merger::presses(const std::optional<MissionTime>& since) const {
-  return since && now_ >= *since + limits_.pressing;
-}
-
 /// Of two that press, it has waited longer; where that is not clear to both, the earlier has.
 bool Merger::waits_longer(const Peer& peer) const {
-  if (!presses(peer.wants_since)) return false;
-  if (!presses(wants_since_)) return true;
+  if (!limits_.presses(peer.wants_since, now_)) return false;
+  if (!limits_.presses(wants_since_, now_)) return true;
   if (*peer.wants_since + limits_.clearly < *wants_since_) return true;
   return peer.earlier && *peer.wants_since <= *wants_since_ + limits_.clearly;
 }

@@ -2,6 +2,7 @@
 // What a member waits for, and who of a circle gets out of the way.
 #include <algorithm>
 
+#include "circle.hpp"
 #include "names.hpp"
 #include "skein/merging/merger.hpp"
 
@@ -86,31 +87,13 @@ std::vector<std::string> Merger::waits_for() const {
   return names;
 }
 
-/// From itself along who waits for whom, back to itself; empty: there is none.
-std::vector<std::string> Merger::circle() const {
-  std::vector<std::string> way;
-  std::map<std::string, bool> seen;
-  const auto walk = [&](const auto& self, const std::string& name,
-                        const std::vector<std::string>& next) -> bool {
-    way.push_back(name);
-    for (const std::string& one : next) {
-      if (one == self_) return true;
-      const auto peer = peers_.find(one);
-      if (peer == peers_.end() || seen[one]) continue;
-      seen[one] = true;
-      if (self(self, one, peer->second.claim.waits_for)) return true;
-    }
-    way.pop_back();
-    return false;
-  };
-  walk(walk, self_, waits_for());
-  return way;
-}
-
 /// One has to move; when that does not help, the next: whoever presses moves last, and of the
 /// others the last of the roster first.
 void Merger::look_for_circle() {
-  const std::vector<std::string> found = circle();
+  const Names found = circle_from(self_, waits_for(), [this](const std::string& name) {
+    const auto peer = peers_.find(name);
+    return peer == peers_.end() ? nullptr : &peer->second.claim.waits_for;
+  });
   if (found.empty()) return circle_since_.reset();
   if (!circle_since_) circle_since_ = now_;
   std::int64_t before = 0;
@@ -119,7 +102,8 @@ void Merger::look_for_circle() {
     const auto peer = peers_.find(one);
     if (peer == peers_.end()) continue;
     const Peer& other = peer->second;
-    const bool press = presses(other.wants_since) || presses(wants_since_);
+    const bool press =
+        limits_.presses(other.wants_since, now_) || limits_.presses(wants_since_, now_);
     if (press ? !waits_longer(other) : !other.earlier) ++before;
     all_hear = all_hear && other.reachable;
   }

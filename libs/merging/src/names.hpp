@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Names in lists.
 #pragma once
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 
 #include "page/table.hpp"
 #include "page/views.hpp"
+#include "skein/foundation/joined.hpp"
 #include "text.hpp"
 
 namespace skein::report {
@@ -51,14 +52,18 @@ std::string outcome_of(const journal::lines::Sale& sale) {
   return sale.to.empty() || sale.why.empty() ? text : text + ", " + sale.why;
 }
 
+std::string in_a_row(const std::vector<std::string>& texts, std::string_view between) {
+  return texts.empty() ? "–" : joined(texts, between);
+}
+
 std::string outcomes_of(const Run& run, const Offers& offers) {
-  std::string text;
+  std::vector<std::string> texts;
   for (const auto& [stamp, sale] : run.journal.sales) {
     const double at = seconds(stamp);
     if (sale.task != offers.task || at < offers.from || at >= offers.until) continue;
-    text += (text.empty() ? "" : "; ") + clock_text(at) + " " + outcome_of(sale);
+    texts.push_back(clock_text(at) + " " + outcome_of(sale));
   }
-  return text.empty() ? "–" : text;
+  return in_a_row(texts, "; ");
 }
 
 std::string statement_of(const Run& run, std::uint64_t task) {
@@ -68,10 +73,9 @@ std::string statement_of(const Run& run, std::uint64_t task) {
 }
 
 std::string offers_text(const Offers& offers) {
-  std::string text;
-  for (const auto& [added, who] : offers.added)
-    text += (text.empty() ? "" : ", ") + who + " " + fixed_number(added, 1);
-  return text.empty() ? "–" : text;
+  std::vector<std::string> texts;
+  for (const auto& [added, who] : offers.added) texts.push_back(who + " " + fixed_number(added, 1));
+  return in_a_row(texts, ", ");
 }
 
 }  // namespace
@@ -83,11 +87,9 @@ void write_auction_table(Markup& out, const Run& run) {
              {"time", "task", "offers [s]", "no offer", "outcome [s of the whole team's aim]"},
              Cells::kSentences);
   for (const Offers& one : all) {
-    std::string refusals;
-    for (const std::string& why : one.refusals) refusals += (refusals.empty() ? "" : "; ") + why;
     out.open("tr");
     write_cells(out, {clock_text(one.from), statement_of(run, one.task), offers_text(one),
-                      refusals.empty() ? "–" : refusals, outcomes_of(run, one)});
+                      in_a_row(one.refusals, "; "), outcomes_of(run, one)});
     out.close();
   }
   close_table(out);

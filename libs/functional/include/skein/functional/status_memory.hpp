@@ -14,8 +14,7 @@ namespace skein::functional {
 
 /// So that a request that comes twice is answered twice and carried out once, however late. Of the
 /// last kKept tasks that are over all is kept; of those before, two bytes each: that it ended or
-/// was aborted, without the reason. Cost: of a map, and
-/// kKept comparisons when a task is over.
+/// was aborted, without the reason. Cost: of a map, and kKept comparisons when a task is over.
 class StatusMemory {
  public:
   static constexpr std::size_t kKept = 256;

@@ -109,6 +109,11 @@ struct Limits {
   /// Whoever has waited so long presses: others do not come to stay where it wants to go.
   Duration pressing = Duration::milliseconds(240'000);
   Duration clearly = Duration::milliseconds(5'000);  ///< by which one has waited longer
+
+  /// Whoever wants something since then, if it does.
+  bool presses(const std::optional<MissionTime>& since, MissionTime now) const {
+    return since && now >= *since + pressing;
+  }
 };
 
 /// Reserves air so that no two members ever have the same. In every pair of members the earlier in
@@ -210,11 +215,9 @@ class Merger {
   std::vector<std::string> waits_for() const;
   void say_waits();
   void look_for_circle();
-  std::vector<std::string> circle() const;
   bool has(const Peer& peer, const Volumes& volumes) const;
   bool asks_for(const Peer& peer, const Volumes& volumes) const;
   bool yields_to(const Peer& peer, const Volumes& volumes) const;
-  bool presses(const std::optional<MissionTime>& since) const;
   bool waits_longer(const Peer& peer) const;
   void tell(const std::string& name, bool asks);
   void tell_witness(bool asks);
