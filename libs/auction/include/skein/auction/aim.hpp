@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sale makes small.
+// The objective that a sale minimises.
 #pragma once
 
 #include <cstdint>
 
 namespace skein::auction {
 
-/// How much the work is to be spread. 0: the sum of all costs counts; 1: the end of the last
-/// member; between: (1 - equity) sum + equity * end. What ties is told apart by the other of the
-/// two. The end of the last, not a factor on the price: a factor does nothing to a price near zero.
-/// Source: spec 6.3; [Lemaire 04].
+/// How much the work is to be spread over the members. 0: minimise the sum of all costs; 1: the
+/// time at which the last member ends (makespan); between: (1 - equity) * sum + equity * makespan.
+/// Ties are broken by the other of the two. The makespan is used rather than a factor on each bid,
+/// since a factor has no effect on a bid near zero. Source: spec 6.3; [Lemaire 04].
 struct Aim {
   double equity = 0;
 };
 
-/// How good a state of the books is: fewer unsold tasks first, then the aim. All trades lower it,
-/// so they end.
+/// The value of an allocation, compared lexicographically: fewer unsold tasks first, then the aim.
+/// Every trade lowers it, so trading terminates.
 struct Value {
   std::uint32_t unsold = 0;
   double first = 0;
@@ -27,7 +27,7 @@ inline Value value_of(const Aim& aim, std::uint32_t unsold, double cost, double 
   return {unsold, blend, aim.equity < 0.5 ? end : cost};
 }
 
-/// Whether it gains more than rounding: what a trade must.
+/// Whether `one` is better than `other` by more than rounding errors: required of every trade.
 inline bool better(const Value& one, const Value& other) {
   constexpr double kLeast = 1e-6;
   if (one.unsold != other.unsold) return one.unsold < other.unsold;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The side of a sale that sells.
+// The auctioneer of a contract-net sale.
 #pragma once
 
 #include <cstdint>
@@ -15,23 +15,23 @@
 
 namespace skein::auction {
 
-/// How long and how hard a sale is.
+/// Time and effort spent on a sale.
 struct SaleLimits {
-  Duration answer_within = Duration::seconds(2);  ///< who has not answered is left out of the round
-  std::uint32_t together = 24;                    ///< tasks sold in one round
-  std::uint32_t trade = 6;                        ///< tasks at most put back on sale together
+  Duration answer_within = Duration::seconds(2);  ///< members without an answer miss the round
+  std::uint32_t together = 24;                    ///< most tasks sold in one round
+  std::uint32_t trade = 6;                        ///< most tasks put back on sale together
   std::uint32_t called = 8;                       ///< members asked about a trade
-  std::uint32_t orders = 8;  ///< orders of sale that winner determination tries
+  std::uint32_t orders = 8;  ///< orders of the tasks that winner determination tries
   std::uint32_t patience =
-      0;  ///< rounds without gain that end the trades; 0: by the size of the lot
-  std::uint32_t most_rounds = 0;  ///< of all; 0: by the size of the lot
+      0;  ///< trading ends after so many rounds without gain; 0: by the size of the lot
+  std::uint32_t most_rounds = 0;  ///< of the whole sale; 0: by the size of the lot
 };
 
-/// What a member has already when a sale begins.
+/// The tasks a member already has when the sale begins.
 struct Holding {
   MemberNumber member;
   std::vector<TaskNumber> tasks;  ///< in order
-  std::uint32_t fixed = 0;        ///< so many at the beginning are committed: they do not move
+  std::uint32_t fixed = 0;        ///< the first `fixed` of them are committed and stay
 };
 
 struct SaleSetup {
@@ -40,7 +40,7 @@ struct SaleSetup {
   std::vector<Holding> holdings;  ///< of all members that take part, one each
   Aim aim;
   SaleLimits limits;
-  std::uint64_t seed = 1;  ///< of what is put back on sale
+  std::uint64_t seed = 1;  ///< of the random choice of tasks put back on sale
 };
 
 struct Send {
@@ -48,13 +48,14 @@ struct Send {
   ToMember message;
 };
 
-/// Who takes a task, and why them: what the whole comes to with them and with the next best group.
+/// Who takes a task and why: the value of the whole allocation with the winners, and with the next
+/// best group.
 struct Sold {
   TaskNumber task;
   std::vector<MemberNumber> members;
   std::uint32_t round = 0;
-  bool trade = false;  ///< it had members before
-  Value value;         ///< of the whole, with the offers on which it was decided
+  bool trade = false;  ///< the task was sold before
+  Value value;         ///< of the whole allocation, from the offers of this round
   struct Rival {
     std::vector<MemberNumber> members;
     Value value;
@@ -62,7 +63,7 @@ struct Sold {
   std::optional<Rival> next_best;  ///< none: nobody else could
 };
 
-/// Nobody does it, with the reason of each.
+/// No member can do the task; with each member's reason.
 struct Unsold {
   struct Reason {
     MemberNumber member;
@@ -70,30 +71,31 @@ struct Unsold {
   };
   TaskNumber task;
   std::vector<Reason> reasons;
-  std::string together;  ///< why not by several, if that is the question
+  std::string together;  ///< of a joint task: why no group can do it
 };
 
-/// Did not answer in time, or refused what it had offered to do.
+/// A member that did not answer in time, or refused an award after its own offer.
 struct Dropped {
   MemberNumber member;
   std::uint32_t round = 0;
   std::string why;
 };
 
-/// The lot contradicts itself: nothing is sold.
+/// The lot contradicts itself (contradictions()): nothing is sold.
 struct Rejected {
   std::vector<Contradiction> contradictions;
 };
 
-struct Ended {};  ///< nobody gains any more: the books are final
+struct Ended {};  ///< no trade gains any more: the allocation is final
 
 using SaleEffect = std::variant<Send, Sold, Unsold, Dropped, Rejected, Ended>;
 using SaleEffects = std::vector<SaleEffect>;
 
-/// Sells a lot by contract net: calls, offers, winners, awards; then puts a few tasks at a time
-/// back on sale until nobody gains. What it books, all concerned have taken. Joint tasks have all
-/// members or none. One setup and the same answers give the same sale, in whatever order they come
-/// in a round. Source: spec 6.3; T VII.2.2.
+/// Sells a lot by contract net: calls, offers, winner determination, awards. Then trades: puts a
+/// few tasks at a time back on sale until no exchange gains. A route is booked once every member
+/// concerned has accepted its award. A joint task gets all of its members or none. Deterministic:
+/// the same setup and answers give the same sale, in whatever order answers arrive within a round.
+/// Source: spec 6.3; T VII.2.2.
 class Auctioneer {
  public:
   explicit Auctioneer(SaleSetup setup);
@@ -102,9 +104,9 @@ class Auctioneer {
   Auctioneer& operator=(Auctioneer&&) noexcept;
 
   SaleEffects start(MissionTime now);
-  /// Of another sale or round, or said twice: without effect.
+  /// An answer of another sale or round, or a repeated one, has no effect.
   SaleEffects handle(const ToAuctioneer& answer, MissionTime now);
-  /// Goes on without who has not answered.
+  /// Closes the round without the members that have not answered, once its time is over.
   SaleEffects tick(MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
 
@@ -114,10 +116,10 @@ class Auctioneer {
     MemberNumber member;
     std::vector<TaskNumber> tasks;
     std::vector<double> starts;  ///< of each task [s]
-    double end = 0;              ///< of its plan, the way to its end included [s]
+    double end = 0;              ///< when its plan ends, the way to its final place included [s]
     double cost = 0;
   };
-  /// The books, by member.
+  /// The current allocation, by member.
   std::vector<Route> routes() const;
   Value value() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The side of a sale that bids.
+// The bidder of a contract-net sale.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace skein::auction {
 
-/// Prices tasks for one vehicle. It keeps nothing: the route comes with the call, so a bid has no
-/// effect, and a call heard twice has the same answer twice. Cost: items times gaps.
+/// Computes the bids of one vehicle. Stateless: the current route comes with the call, so bidding
+/// has no side effect and a repeated call gets the same answer. Cost: items times gaps.
 /// Source: spec 6.3; [Smith 80].
 class Bidder {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A lot with its tasks by number and who is before whom.
+// A lot, indexed by task number, with its precedence relation.
 #pragma once
 
 #include <cstdint>
@@ -11,22 +11,22 @@
 
 namespace skein::auction {
 
-/// Of a sale, the same for all that take part; made once and shared. Indexes count from 0.
-/// Precedences of unknown tasks are left out: contradictions() tells of them.
+/// Made once per sale and shared by all participants. Indexes count from 0. Precedences of unknown
+/// tasks are left out; contradictions() reports them.
 class Catalogue {
  public:
   explicit Catalogue(Lot lot);
   const Lot& lot() const { return lot_; }
   std::size_t size() const { return lot_.tasks.size(); }
   bool has(TaskNumber number) const { return index_.contains(number); }
-  /// The number is one of the lot.
+  /// Precondition: `number` is in the lot.
   std::uint32_t index(TaskNumber number) const;
   const Task& task(std::uint32_t index) const { return lot_.tasks[index]; }
   const Task& task(TaskNumber number) const { return lot_.tasks[index(number)]; }
   const std::vector<std::uint32_t>& before(std::uint32_t task) const { return before_[task]; }
   const std::vector<std::uint32_t>& after(std::uint32_t task) const { return after_[task]; }
-  /// Whether what one member does may shift the dates of another: joint tasks and precedences.
-  /// Tasks that need several abilities may be joint.
+  /// Whether one member's schedule may shift another's dates: there are precedences or joint tasks.
+  /// A task that needs several abilities counts as joint, since it may need several members.
   bool coupled() const { return coupled_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a bidder asks about its own vehicle.
+// The bidder's interface to its own vehicle and plan.
 #pragma once
 
 #include <limits>
@@ -13,14 +13,14 @@ namespace skein::auction {
 /// A flight between two places of a plan.
 struct Leg {
   double seconds = 0;
-  double cost = 0;    ///< what a sum of costs adds up: metres, or what else the team agreed on
+  double cost = 0;    ///< in the unit of the team's sum of costs, e.g. metres
   double energy = 0;  ///< [J]
 };
 
-/// Stands for a way that does not exist: longer than any deadline.
+/// A leg that does not exist: longer than any deadline.
 inline constexpr Leg kNoWay{1e12, 1e12, 0};
 
-/// A place of a member's plan: a task's, where it begins, or where it ends.
+/// A place of a member's plan: the place of a task, the start, or the end of the plan.
 class Stopover {
  public:
   static constexpr Stopover begin() { return Stopover(kBegin); }
@@ -37,22 +37,22 @@ class Stopover {
   std::uint64_t code_;
 };
 
-/// The bidder's own vehicle and plan, asked in evaluation only: every function is const and leaves
-/// nothing behind. A decision node answers with operator 1 in evaluation mode. Source:
+/// The bidder's own vehicle and plan, for evaluation only: every function is const and has no side
+/// effect. A decision node implements it with operator 1 (insertion) in evaluation mode. Source:
 /// spec 6.2, 6.3.
 class Craft {
  public:
   virtual ~Craft() = default;
   virtual Abilities abilities() const = 0;
-  /// When it is free of what it does already [s from the origin of the sale].
+  /// When the vehicle has finished its current commitments [s from the origin of the sale].
   virtual double free_from() const { return 0; }
-  /// What a plan may take [J].
+  /// The energy available for a plan [J].
   virtual double energy() const { return std::numeric_limits<double>::infinity(); }
-  /// None: there is no way.
+  /// The flight between two places; none: there is no way.
   virtual std::optional<Leg> leg(Stopover from, Stopover to) const = 0;
-  /// What the task itself takes [J].
+  /// The energy of the task itself, without the flight to it [J].
   virtual double energy_of(const Task&) const { return 0; }
-  /// Why this vehicle would not do the task even if it were alone in the world; none: it would.
+  /// Why this vehicle could not do the task even with nothing else to do; none: it could.
   virtual std::optional<std::string> objection(const Task&) const { return std::nullopt; }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who has what: the one book of the team, and what its members say to each other about it.
+// The ledger of the team's tasks and their owners, and the messages that replicate it.
 #pragma once
 
 #include <cstdint>
@@ -16,75 +16,79 @@ namespace skein::auction {
 
 using MissionNumber = Id<struct MissionNumberTag, std::uint64_t>;
 
-/// | stage   | means                                              | to |
-/// |---------|----------------------------------------------------|-----------------------------------|
-/// | forsale | nobody's                                           | owned, unsold | | owned   |
-/// sold; may be traded, or sold again if its owner is silent beyond its lease | granted, for sale |
-/// | granted | its owners may begin: it may have been done        | done; for sale once they said
-/// that they stopped | | done    | all its owners said so                             | | | unsold
-/// | nobody can                                         | for sale, when somebody comes     |
-enum class Stage : std::uint8_t { kForSale, kOwned, kGranted, kDone, kUnsold };
+/// The life cycle of a task in the ledger.
+enum class Stage : std::uint8_t {
+  kForSale,  ///< no owner; next: owned, unsold
+  /// Sold. May be traded, and is sold again if its owner is silent beyond the lease; next: granted,
+  /// for sale.
+  kOwned,
+  /// Its owners may begin it, so it may have been done; next: done, or for sale once they have
+  /// reported that they stopped.
+  kGranted,
+  kDone,   ///< all of its owners reported it done
+  kUnsold  ///< no member can do it; next: for sale, when a member joins
+};
 
 struct LedgerEntry {
   Task task;  ///< times from the epoch of the mission [s]
   Stage stage = Stage::kForSale;
   std::vector<MemberNumber> owners;
-  std::uint64_t sale = 0;           ///< strictly rising: a grant and a report name theirs
-  std::set<MemberNumber> finished;  ///< owners that said that they are done
-  std::set<MemberNumber> stopped;   ///< owners that said that they will not, or not any more
-  std::uint64_t revision = 0;       ///< of the ledger, when this last changed
-  std::string why;                  ///< of the stage, for people: bids, silence, put back by whom
+  std::uint64_t sale = 0;           ///< strictly increasing; grants and reports refer to it
+  std::set<MemberNumber> finished;  ///< owners that reported the task done
+  std::set<MemberNumber> stopped;   ///< owners that will not do it, or have given it up
+  std::uint64_t revision = 0;       ///< of the ledger, at the last change of this entry
+  std::string why;                  ///< reason of the stage, for people: bids, silence, put back
 };
 
-/// The state on which the team agrees. The holder of the token alone changes it; what a majority
-/// has is committed, and no later holder can be without it. Source: [Ongaro, Ousterhout 2014], with
-/// the whole state in place of a log.
+/// The replicated state of the team. Only the holder of the token changes it. A revision that a
+/// majority has stored is committed: every later holder has it. Source: [Ongaro, Ousterhout 2014]
+/// (Raft), with the whole state in place of a log.
 struct Ledger {
-  std::uint64_t term = 0;      ///< of the token that wrote it
-  std::uint64_t revision = 0;  ///< strictly rising
+  std::uint64_t term = 0;      ///< the term in which the holder wrote it
+  std::uint64_t revision = 0;  ///< strictly increasing
   std::set<MissionNumber> missions;
   std::map<TaskNumber, LedgerEntry> entries;
   std::vector<Precedence> precedences;
   std::map<MemberNumber, std::vector<TaskNumber>> routes;
-  std::set<MemberNumber> lost;  ///< so declared by the operator: they count no more
+  std::set<MemberNumber> lost;  ///< declared lost by the operator: no longer counted
 };
 
-/// A global mission; its number is the same however often and to whomever it is given.
+/// A global mission. The number identifies it, however often and to whichever member it is given.
 struct GivenMission {
   MissionNumber number;
   Lot lot;
 };
 
-/// A task under one sale of it.
+/// A task together with the sale under which a member owns it.
 struct Claim {
   TaskNumber task;
   std::uint64_t sale = 0;
   auto operator<=>(const Claim&) const = default;
 };
 
-/// Holder to all, regularly and whenever something changed.
+/// From the token's holder to all members, periodically and after every change.
 struct Beat {
   std::uint64_t term = 0;
-  std::uint64_t committed = 0;           ///< a majority has this revision
-  std::shared_ptr<const Ledger> ledger;  ///< none: the receiver said that it has it
+  std::uint64_t committed = 0;           ///< the newest revision that a majority has
+  std::shared_ptr<const Ledger> ledger;  ///< none: the receiver has reported this revision already
 };
 
-/// Member to holder, answering a beat: what it has, and everything that it wants the ledger to say.
-/// Said until the ledger says so: nothing is lost with a message.
+/// From a member to the holder, in answer to a beat: the revision it has, and all changes that it
+/// wants in the ledger. Each is repeated until the ledger shows it, so lost messages do no harm.
 struct Status {
   std::uint64_t term = 0;
   std::uint64_t revision = 0;
-  std::vector<Claim> wants;  ///< a go-ahead
+  std::vector<Claim> wants;  ///< asks for the grant to begin these
   std::vector<Claim> done;
-  std::vector<Claim> stopped;  ///< not begun, or begun and given up
+  std::vector<Claim> stopped;  ///< will not begin them, or has given them up
   std::vector<GivenMission> missions;
   std::set<MemberNumber> lost;
-  bool bids = true;                      ///< else it votes only, and keeps what it has begun
-  std::vector<std::string> stopped_why;  ///< of each that stopped; for people
+  bool bids = true;                      ///< false: it only votes, and keeps what it has begun
+  std::vector<std::string> stopped_why;  ///< the reason of each of `stopped`, for people
 };
 
-/// Who would hold the token asks; `trial` asks without consequence, so that one who was cut off
-/// does not disturb the others.
+/// From a candidate for the token. With `trial` (Raft's pre-vote) the vote has no effect, so that a
+/// member that was cut off does not disturb the others when it is back.
 struct VoteRequest {
   std::uint64_t term = 0;
   bool trial = false;
@@ -96,8 +100,8 @@ struct Vote {
   bool trial = false;
 };
 
-/// To whom asked for votes or beat in an older term: without it, one with the newer term and one
-/// with the newer ledger would refuse each other for ever.
+/// Answer to a vote request or beat of an older term. Without it a member with a newer term and one
+/// with a newer ledger would refuse each other for ever.
 struct NewerTerm {
   std::uint64_t term = 0;
 };

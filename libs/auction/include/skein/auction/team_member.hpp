@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One member of a team that shares out its missions.
+// One member of a team that allocates its global missions by auction.
 #pragma once
 
 #include <functional>
@@ -13,43 +13,46 @@ namespace skein::auction {
 
 struct TeamLimits {
   Duration beat = Duration::milliseconds(500);
-  Duration patience = Duration::seconds(2);  ///< without a beat, then up to as much again by chance
-  /// Silence after which what somebody has not been granted is sold again. What it was granted
-  /// waits until it is heard or declared lost, unless the task is repeatable: this is what
-  /// at-most-once costs under a partition.
+  /// Without a beat for this time plus a random part of up to as much again, a member becomes a
+  /// candidate for the token.
+  Duration patience = Duration::seconds(2);
+  /// After this silence of a member, tasks that it owns without a grant are sold again. Granted
+  /// tasks wait until the member is heard or declared lost, unless they are repeatable: the cost of
+  /// at-most-once execution under a partition.
   Duration lease = Duration::seconds(10);
-  std::uint32_t ahead = 1;  ///< tasks granted to a member at a time: what it may do when cut off
+  std::uint32_t ahead = 1;  ///< tasks granted to a member at a time, which it may do while cut off
   Aim aim{0.5};
   SaleLimits sale{};
 };
 
-/// What a member keeps through a crash. Stored before anything that follows in the effects is done.
+/// What a member must keep through a crash. To be stored before the effects after it are carried
+/// out.
 struct Disk {
   std::uint64_t term = 0;
   bool voted = false;  ///< in that term
   std::shared_ptr<const Ledger> ledger;
-  std::map<TaskNumber, std::uint64_t> started;  ///< the last sale under which it began
+  std::map<TaskNumber, std::uint64_t> started;  ///< task to the last sale under which it began it
   std::map<TaskNumber, std::uint64_t> done;
   std::map<TaskNumber, std::uint64_t> stopped;
   std::map<TaskNumber, std::string> stopped_why;
-  std::vector<GivenMission> missions;  ///< given here, not yet known to be with a majority
+  std::vector<GivenMission> missions;  ///< given to this member, not yet committed
 };
 
-/// The craft with which to bid in a sale whose times count from `origin`.
+/// Makes the craft for bids in a sale whose times count from `origin`.
 using CraftMaker = std::function<std::unique_ptr<const Craft>(
     std::shared_ptr<const Catalogue> catalogue, MissionTime origin)>;
 
 struct TeamSetup {
   MemberNumber self;
-  std::vector<MemberNumber> roster;  ///< all that vote, itself among them
+  std::vector<MemberNumber> roster;  ///< all voting members, this one included
   CraftMaker craft;                  ///< none: votes only, as the ground station does
   TeamLimits limits;
   std::uint64_t seed = 1;
-  Disk disk{};                                  ///< of before a restart
-  std::map<MemberNumber, std::string> names{};  ///< of members in what is said to people
+  Disk disk{};                                  ///< stored before a restart
+  std::map<MemberNumber, std::string> names{};  ///< of members, for texts that people read
 };
 
-// What comes in.
+// ---- inputs ----
 struct Heard {
   MemberNumber from;
   TeamMessage message;
@@ -60,18 +63,18 @@ struct MissionGiven {
 struct TaskDone {
   TaskNumber task;
 };
-/// What runs failed, or what is owned is put back on sale.
+/// A running task failed, or this member puts an owned task back on sale.
 struct TaskPutBack {
   TaskNumber task;
   std::string why{};
 };
-/// Whether it takes part in sales from now on; at first, if it has a craft. Who does not keeps what
-/// it owns until it puts that back.
+/// Whether this member bids from now on (initially: if it has a craft). A member that stops bidding
+/// keeps its tasks until it puts them back.
 struct Bids {
   bool bids = true;
 };
-/// The operator says that a member will never be heard again. Said wrongly, what it was granted may
-/// be done twice.
+/// The operator declares a member lost for good. If that is wrong, tasks granted to it may be done
+/// twice.
 struct DeclaredLost {
   MemberNumber member;
 };
@@ -79,7 +82,7 @@ struct Tick {};
 using TeamInput =
     std::variant<Heard, MissionGiven, TaskDone, TaskPutBack, Bids, DeclaredLost, Tick>;
 
-// What goes out.
+// ---- effects ----
 struct Tell {
   MemberNumber to;
   TeamMessage message;
@@ -94,20 +97,20 @@ struct TokenTaken {
   std::uint64_t term = 0;
 };
 struct TokenLost {};
-/// Of a sale held here: Sold, Unsold, Dropped, Rejected.
+/// An event of a sale that this member holds: Sold, Unsold, Dropped or Rejected.
 struct SaleTold {
   SaleEffect what;
 };
-/// What this member offered in the first round of a sale: its bids, or why it makes none.
+/// This member's bids in the first round of a sale, or its reasons for none.
 struct Offered {
   Offer offer;
 };
 using TeamEffect = std::variant<Tell, Store, BeginTask, TokenTaken, TokenLost, SaleTold, Offered>;
 using TeamEffects = std::vector<TeamEffect>;
 
-/// Bids, owns and, when it holds the token, sells. Without dependence on clocks that agree: a task
-/// is begun only under a grant that a majority has, and a grant is taken back only by those it was
-/// given to. Source: spec 6.3.
+/// Bids for tasks, owns them and, while it holds the token, sells them. Does not depend on
+/// synchronised clocks: a task is begun only under a committed grant (stored by a majority), and
+/// only the grantees can give a grant back. Source: spec 6.3.
 class TeamMember {
  public:
   explicit TeamMember(TeamSetup setup);
@@ -118,9 +121,9 @@ class TeamMember {
   TeamEffects handle(const TeamInput& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
   bool holds_token() const;
-  /// Whether its own part of the claim is over: done, or put back.
+  /// Whether this member's part of the claim is over: done, or put back.
   bool has_ended(const Claim& claim) const;
-  /// As last heard; the newest part of it may not be committed.
+  /// The last ledger received; its newest revision may not be committed yet.
   const Ledger& ledger() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a UAV does by itself once it has lost the ground.
+// The contact-loss policy of a UAV.
 #pragma once
 
 #include <optional>
@@ -13,16 +13,16 @@ enum class ContactPolicy { kContinue, kHold, kReturn };
 /// "continue", "hold", "return".
 std::string_view to_text(ContactPolicy policy);
 
-/// Tells, from whether the ground is heard, when the contact-loss policy is to be carried out: once
-/// the silence has lasted `after`, at most once per loss. Contact regained leaves what was begun:
-/// the ground decides what comes next. Before the ground was heard for the first time nothing is
-/// lost. Source: T II.1.2, spec 1.2.
+/// Decides when the contact-loss policy is due: once the ground has been silent for `after`, at
+/// most once per loss. When contact is regained, a policy that was begun goes on: the ground
+/// decides what comes next. Silence before the ground was heard for the first time is no loss.
+/// Source: T II.1.2, spec 1.2.
 class ContactWatch {
  public:
   ContactWatch(ContactPolicy policy, Duration after) : policy_(policy), after_(after) {}
 
   void ground_heard(bool reachable, MissionTime now);
-  /// The policy, if its instant has come and it is not `kContinue`; then not again for this loss.
+  /// The policy if it is due and not `kContinue`; returned once per loss.
   std::optional<ContactPolicy> due(MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decision making of one UAV as one component.
+// The decision node (DDN) of one UAV as one pure component.
 #pragma once
 
 #include <memory>
@@ -18,33 +18,34 @@ class Core;
 ///   functional layer, its statuses and synchronisation messages of others go to the ground.
 /// - Degree 2: the MLE runs partially ordered plans; its synchronisation messages go to the ground,
 ///   which relays them.
-/// - Degree 3: they go straight to the MLE of the other UAV.
+/// - Degree 3: synchronisation messages go directly to the MLE of the other UAV.
 /// - Degree 4: the supervisor plans missions and feeds the MLE; its jobs go to the runtime, and
 ///   everything is answered while they run.
 ///
-/// The degree is changed by the ground at any time. Each change is answered with the plan that is
-/// held at that moment (HandedOver). Degrees 2 to 4 execute here, so what runs goes on; at degree 1
-/// the ground's executive takes over what the one here gives up, under the same ids, and brings it
-/// back by START. With `interrupt` all is aborted, the highest id first, and what flies waits.
+/// The ground may change the degree at any time. Each change is answered with the plan in hand at
+/// that moment (HandedOver). Between degrees 2 and 4 running tasks go on, since the executive on
+/// board keeps them. A change to degree 1 hands the tasks, with their ids, to the ground's
+/// executive; a change from degree 1 brings them back by START. With `interrupt` all tasks are
+/// aborted, the highest id first, and a vehicle in the air waits.
 ///
-/// At every degree telemetry and perceptions are passed on to the ground, and the contact-loss
-/// policy is carried out by the MLE on board, with task ids from functional::kFirstOwnId, numbered
-/// by the millisecond of the mission in which they were made, so that a node that was restarted
-/// does not use a number twice; at degree 4 the supervisor then stops deciding until the ground
-/// gives the degree again. Such own tasks give way to any task that moves the vehicle: they are
-/// aborted, and it is dispatched once they are over.
+/// At every degree telemetry and perceptions are passed on to the ground, and the MLE on board
+/// carries out the contact-loss policy. The tasks of that policy have ids from
+/// functional::kFirstOwnId on, numbered by the millisecond of the mission in which they were made,
+/// so that a restarted node does not use an id twice. At degree 4 the supervisor then stops
+/// deciding until the ground sets the degree again. Tasks of the policy yield to any task that
+/// moves the vehicle: they are aborted, and the new task is dispatched after their end.
 ///
-/// A command is executed once: its number, seen again from the same life of the ground station,
-/// gets the same answer and nothing else.
+/// A command is executed once: repeated with the same number, from the same life of the ground
+/// station, it only gets the same answer again.
 ///
-/// Its components are executive, supervisor and interaction manager; who gets which request is a
-/// table (src/routes.hpp), and what happens is told to all of them (src/component.hpp).
+/// Components: executive, supervisor and interaction manager. A table routes requests to them
+/// (src/routes.hpp); events are broadcast to all of them (src/component.hpp).
 ///
 /// `now` never decreases. Deterministic. Not safe to share between threads.
 /// Source: T II.2, T III, T IV.4, spec 1.2, 1.5, 6.2.
 class DecisionNode {
  public:
-  /// Precondition: what Config says of its fields.
+  /// Precondition: the fields of `config` are as Config requires.
   explicit DecisionNode(Config config);
   ~DecisionNode();
   DecisionNode(DecisionNode&&) noexcept;

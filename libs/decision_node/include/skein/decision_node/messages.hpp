@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What goes into a decision node and what comes out.
+// Inputs and effects of a decision node.
 #pragma once
 
 #include <compare>
@@ -28,108 +28,110 @@ namespace skein::decision_node {
 
 // ---- inputs ----
 
-/// First input of its life.
+/// The first input of every life of the node.
 struct Started {
-  bool first_life = false;  ///< there was none before; else it may have forgotten one
+  bool first_life = false;  ///< no life before this one; false: memory of one may be lost
 };
 
-/// A command of the ground station's, in one life of it.
+/// Identifies a command: its number within one life of the ground station.
 struct CommandKey {
   std::uint64_t incarnation = 0;
   std::uint64_t number = 0;
   auto operator<=>(const CommandKey&) const = default;
 };
-/// A command: executed once, answered as often as it comes.
+/// A command of the ground station: executed once, answered as often as it arrives.
 struct Command {
   CommandKey key;
   mission::Request request;
   std::string asked_by = {};  ///< for people
 };
-/// A command that makes no sense: refused with its reason.
+/// A command that cannot be read: refused with the reason.
 struct UnreadableCommand {
   CommandKey key;
   mission::RequestKind kind = mission::RequestKind::kStart;
   std::uint64_t id = 0;
   std::string why;
 };
-/// A place that missions may name, told by the ground station (an alarm's).
+/// A place that missions may refer to by name (of an alarm), from the ground station.
 struct PlaceTold {
   mission::ChangeWorld place;
 };
-/// Of the ground station, for the vehicle: at degree 1.
+/// An elementary request of the ground station to the functional layer: at degree 1.
 struct ElementaryRequest {
   functional::Request request;
 };
-/// A task that the ground station's executive has in this UAV's place (degree 1).
+/// The state of a task that the ground station's executive runs for this UAV (degree 1).
 struct GroundTaskSeen {
   executive::TaskEvent event;
 };
-/// From the UAV's functional layer.
+/// A status of the UAV's functional layer.
 struct StatusTold {
   functional::Status status;
 };
-/// Of another UAV, for this one.
+/// A synchronisation message of another UAV to this one.
 struct SyncMessage {
   std::uint64_t id = 0;
   std::string from;
   std::string to;
   executive::SyncWord word = executive::SyncWord::kThere;
-  MissionTime said;  ///< when it was sent
+  MissionTime said;  ///< when the message was sent
 };
-/// The degree that another UAV is at.
+/// The degree of another UAV.
 struct DegreeTold {
   std::string from;
   mission::Degree degree = mission::kLeastDegree;
 };
-/// What is believed of the contact with another node.
+/// Whether another node is in radio reach.
 struct Contact {
   std::string peer;
-  bool ground = false;  ///< it is the ground station
+  bool ground = false;  ///< the node is the ground station
   bool reachable = false;
 };
-/// The UAV's functional layer is back and has lost all that it knew: tasks that are under way to
-/// this node are not to it.
+/// The UAV's functional layer has restarted without its memory: tasks that run for this node are
+/// unknown to it.
 struct LayerForgot {};
-/// A partner of a joint task says where it is.
+/// The position of a partner in a joint task.
 struct PartnerSeen {
   world::Telemetry telemetry;
 };
-/// Where another UAV stands in a joint task.
+/// The progress of another UAV in a joint task.
 struct JointTaskTold {
   interaction::JointTaskStatus status;
-  MissionTime at;  ///< when it was so
+  MissionTime at;  ///< the instant of that progress
 };
-/// What the ground station says to another UAV in this one's name: it plays a role for it.
+/// A negotiation message of the ground station in this UAV's name, since it plays its role, to
+/// another UAV.
 struct GroundNegotiates {
   std::string to;
   interaction::SessionMessage message;
 };
-/// Where this UAV stands in a joint task whose role the ground station plays.
+/// The progress of this UAV in a joint task whose role the ground station plays.
 struct GroundPlays {
   interaction::JointTaskStatus status;
 };
-/// What follows from the offers of a session, as StartReckoning asked for.
+/// The result of the job that StartReckoning asked for.
 struct ReckoningFinished {
   std::uint64_t job = 0;
   Result<interaction::Rows, Failure> result;
 };
-/// A member of the team says something about the token, the ledger or a sale.
+/// A message of another team member about the token, the ledger or a sale.
 struct TeamTold {
   std::string from;
   auction::TeamMessage message;
 };
-/// Another UAV says what it has of the air, and what it wants.
+/// A message of another UAV about its air reservations and requests.
 struct MergeTold {
   std::string from;
   merging::Message message;
 };
-/// A UAV says what lies between the meetings of its plan, or the ground station says when it comes.
+/// A UAV's plan between its meetings (the frontier of its temporal network), or the ground
+/// station's forecast in its place.
 struct FrontierTold {
   std::string from;
   temporal::Frontier frontier;  ///< without fault
   bool by_ground = false;
 };
-/// Its instant has come, or time just passes.
+/// Time passes; sent at least at the instant of the next wake-up.
 struct Tick {};
 
 using Input =
@@ -155,38 +157,38 @@ struct TaskChanged {
   executive::TaskEvent event;
   functional::Parameters parameters;
 };
-/// Of a task that the ground station had dispatched itself.
+/// A status of a task that the ground station itself had dispatched.
 struct StatusPassedOn {
   functional::Status status;
 };
-/// Of this UAV, or of a partner of a joint task that the ground plays for it.
+/// Telemetry of this UAV, or of a partner in a joint task whose role the ground plays.
 struct TelemetryPassedOn {
   world::Telemetry telemetry;
 };
 struct PerceptionPassedOn {
   world::Perception perception;
 };
-/// A synchronisation message as it came: the executive that waits for it is at the ground.
+/// A synchronisation message, unchanged, for the ground's executive, which waits for it.
 struct SyncPassedOn {
   SyncMessage message;
 };
-/// What partners say about a joint task that the ground plays for this UAV.
+/// A partner's message about a joint task whose role the ground plays for this UAV.
 struct NegotiationPassedOn {
   interaction::SessionMessage message;
 };
 struct PartnerPassedOn {
   interaction::JointTaskStatus status;
 };
-/// The degree is this from now on.
+/// The degree changed.
 struct DegreeChanged {
   int degree = 3;
-  std::string by;                   ///< at the start empty
-  std::optional<std::size_t> held;  ///< tasks that were in hand at a change
+  std::string by;                   ///< who changed it; empty at the start
+  std::optional<std::size_t> held;  ///< number of tasks in hand at the change
 };
 struct HandedOver {
   mission::HandOver hand_over;
 };
-/// What the executive has, when that is not as it was.
+/// The executive's tasks, whenever they change.
 struct BoardChanged {
   int degree = 3;
   bool airborne = false;
@@ -202,9 +204,10 @@ struct ToVehicle {
 /// A synchronisation message of this UAV's executive.
 struct SendSync {
   executive::SendSync message;
-  /// To the UAV; else to the ground station, which relays it. See mission::synchronises_directly().
+  /// Send to the UAV; false: to the ground station, which relays. See
+  /// mission::synchronises_directly().
   bool direct = true;
-  MissionTime expires;  ///< when it would count no more
+  MissionTime expires;  ///< from then on the message has no effect
 };
 
 /// A message of a negotiation.
@@ -212,46 +215,46 @@ struct SendNegotiation {
   std::string to;
   interaction::SessionMessage message;
 };
-/// Run interaction::reckon(terms, offers) as a job; its result comes back as ReckoningFinished.
+/// Run interaction::reckon(terms, offers) as a job; its result is returned by ReckoningFinished.
 struct StartReckoning {
-  std::uint64_t job = 0;  ///< among those of reckonings
+  std::uint64_t job = 0;  ///< number of the job, unique among reckonings
   interaction::Terms terms;
   interaction::Offers offers;
 };
-/// Nobody wants the result of this reckoning any more; it comes back all the same.
+/// The result of this reckoning is not needed any more; it is returned nevertheless.
 struct StopReckoning {
   std::uint64_t job = 0;
 };
-/// Where this UAV stands in a joint task, when that is not as it was: for partners and the ground.
+/// This UAV's progress in a joint task, whenever it changes: for partners and the ground.
 struct JointTaskChanged {
   interaction::JointTaskStatus status;
   std::vector<std::string> partners;
 };
-/// Where this UAV stands in a joint task that the ground plays for it.
+/// This UAV's progress in a joint task whose role the ground plays.
 struct SpokenFor {
   interaction::JointTaskStatus status;
-  bool to_ground = false;    ///< it was left here
-  bool to_partners = false;  ///< all other UAVs: who is none knows nothing of it
+  bool to_ground = false;    ///< the task was left on board, tell the ground
+  bool to_partners = false;  ///< to all other UAVs; those that are no partners ignore it
 };
-/// Where this UAV is, for a partner of a joint task.
+/// This UAV's position, for a partner in a joint task.
 struct ShareTelemetry {
   std::string partner;
   world::Telemetry telemetry;
 };
 
-/// To another member of the team.
+/// A message to another member of the team.
 struct SendTeam {
   std::string to;
   auction::TeamMessage message;
 };
 
-/// To another UAV that merges its ways.
+/// A message of plan merging to another UAV or the witness.
 struct SendMerge {
   std::string to;
   merging::Message message;
 };
 
-/// To another UAV, or the ground station, in place of what it was told before.
+/// The frontier of this UAV's temporal network; replaces the last one sent to that node.
 struct SendFrontier {
   std::string to;  ///< empty: the ground station
   temporal::Frontier frontier;
@@ -259,55 +262,56 @@ struct SendFrontier {
 
 // For the journal.
 
-/// When those come whom this UAV is to meet, as it knows of it; none: it is not known any more.
+/// The foreseen arrivals of those that this UAV is to meet; none: not known any more.
 struct MeetingNoted {
   temporal::MeetingId meeting = 0;
   std::optional<temporal::PartnerDates> dates;
 };
 
-/// Where a motion stands that needs air: "waits", "had" (it begins), "unasked" (it begins without,
-/// since the energy lasts no longer), "aside" (the UAV gets out of a circle of waits).
+/// The state of a motion that needs a reservation of air: "waits", "had" (granted, it begins),
+/// "unasked" (it begins without a reservation, since the energy lasts no longer), "aside" (the UAV
+/// moves aside to break a circle of waits).
 struct AirNoted {
   functional::TaskId task;
   std::string type, state;
   std::vector<std::string> waits_for;  ///< "heliv to leave"
-  double raised = 0;                   ///< flown so much higher than it was asked for [m]
+  double raised = 0;                   ///< how much higher it is flown than was asked for [m]
   Duration waited;
-  merging::Volumes air;  ///< that it has for the motion
+  merging::Volumes air;  ///< reserved for the motion
 };
 
-/// What this UAV does with a task that it was granted: "begun", "done", "put-back", "kept".
+/// What this UAV did with a task that it owns: "begun", "done", "put-back", "kept".
 struct TeamTaskNoted {
   auction::Claim claim;
   std::string state;
-  mission::GoalId goal;  ///< as which its supervisor has it
+  mission::GoalId goal;  ///< its number in this UAV's supervisor
   std::string statement;
   std::string why;
 };
-/// What this UAV offered for a task that had no owner.
+/// This UAV's bid for a task without an owner.
 struct BidNoted {
   auction::Claim claim;
-  std::optional<double> added;  ///< the time that it adds to its route [s]; none: it does not bid
+  std::optional<double> added;  ///< time that the task adds to its route [s]; none: no bid
   std::string objection;
 };
-/// Of a sale that this UAV holds.
+/// An event of a sale held by this UAV.
 struct SaleNoted {
   auction::SaleEffect what;
 };
-/// The right to sell came here, or went.
+/// This UAV got the auctioneer's token, or lost it.
 struct TokenNoted {
   bool held = false;
   std::uint64_t term = 0;
 };
 
-/// A block, task or coordination action of a role entered a state.
+/// A componel (block, task or coordination action) of a role entered a state.
 struct ComponelChanged {
   std::string subject, role, componel;
   interaction::ComponelState state = interaction::ComponelState::kScheduled;
-  std::string block;    ///< around it
-  std::string because;  ///< the precondition of a block that is activated
+  std::string block;    ///< the enclosing block
+  std::string because;  ///< precondition by which a block was activated
 };
-/// A role asked for a task of the executive's.
+/// A role started a task of the executive.
 struct RoleTaskGiven {
   std::string subject, role, block, componel;
   executive::TaskId task, of;  ///< `of`: the joint task
@@ -318,8 +322,8 @@ struct RoleTaskGiven {
 struct PlaceComputed {
   std::string subject, role, parameter, initialiser;
   std::optional<interaction::Position> at;
-  std::string why;                ///< not
-  std::vector<std::string> scms;  ///< that are to hold there
+  std::string why;                ///< why there is none
+  std::vector<std::string> scms;  ///< spatial constraints that hold there
 };
 struct ScmNoted {
   std::string subject, role;
@@ -329,27 +333,27 @@ struct ScmNoted {
 struct NegotiationNoted {
   interaction::Terms terms;
   std::string state;
-  interaction::Rows rows;  ///< offer, or result
+  interaction::Rows rows;  ///< of the offer, or of the result
   std::string why;
   std::vector<std::string> unconfirmed;
 };
 
 struct RequestHandled {
   executive::Reply reply;
-  executive::InsertionMode mode = executive::InsertionMode::kSeq;  ///< of a START
+  executive::InsertionMode mode = executive::InsertionMode::kSeq;  ///< of a START request
 };
 struct SyncHeard {
   SyncMessage message;
 };
 struct PolicyCarriedOut {
   ContactPolicy policy = ContactPolicy::kHold;
-  std::string why;  ///< empty: contact is lost
+  std::string why;  ///< empty: contact was lost
 };
 struct Notice {
   std::string text;
 };
 
-/// Those of the supervisor mean what they mean there.
+/// The supervisor's effects are passed through unchanged.
 using EffectVariant =
     std::variant<Answer, TaskChanged, StatusPassedOn, TelemetryPassedOn, PerceptionPassedOn,
                  SyncPassedOn, NegotiationPassedOn, PartnerPassedOn, SpokenFor, DegreeChanged,
@@ -360,7 +364,7 @@ using EffectVariant =
                  RequestHandled, SyncHeard, PolicyCarriedOut, Notice, supervisor::MissionDecided,
                  supervisor::StartDeliberation, supervisor::StopDeliberation,
                  supervisor::PlanChanged, supervisor::GoalChanged, supervisor::Decided>;
-/// An EffectVariant whose copies, moves and end are compiled once, not wherever effects are kept.
+/// An EffectVariant with out-of-line special members, so that they are compiled only once.
 class Effect : public EffectVariant {
  public:
   using EffectVariant::EffectVariant;

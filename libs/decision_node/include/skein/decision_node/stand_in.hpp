@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Roles of joint tasks, played in the name of a UAV that does not deliberate.
+// Plays a role in joint tasks on behalf of a UAV that does not deliberate.
 #pragma once
 
 #include <memory>
@@ -15,39 +15,39 @@ namespace skein::decision_node {
 
 // ---- inputs ----
 
-/// Take part in a joint task; its number is that of the task on the UAV's board.
+/// Take part in a joint task, numbered as the task on the UAV's board.
 struct PlayJointTask {
   mission::HighLevelTask task;
 };
-/// What is played ends here, and partners are told: one joint task, or all.
+/// Stop playing one joint task, or all; partners are told.
 struct StopPlaying {
   std::optional<executive::TaskId> task;
   std::string why;
 };
-/// The UAV did not take a task that it was asked for, or does not answer when it is to stop it.
+/// The UAV refused a task of the role, or does not answer the request to stop it.
 struct TaskRefused {
   executive::TaskId task;
   std::string why;
 };
 
-/// Telemetry is the UAV's own. Whatever partners say comes through its decision node.
+/// Telemetry is the UAV's own. Messages of partners arrive through the UAV's decision node.
 using StandInInput =
     std::variant<PlayJointTask, StopPlaying, TaskRefused, executive::TaskEvent, world::Telemetry,
                  PartnerSeen, JointTaskTold, interaction::SessionMessage, PlaceTold, Tick>;
 
-/// What it asks of the UAV's executive, what becomes of the joint tasks (running, ended, aborted),
-/// and what it says and notes: SendNegotiation, JointTaskChanged and notes of a decision node.
+/// Requests to the UAV's executive, state changes of the joint tasks (running, ended, aborted), and
+/// effects of a decision node: SendNegotiation, JointTaskChanged and journal notes.
 struct StandInEffects {
   std::vector<mission::Request> asked;
   std::vector<executive::TaskEvent> changed;
   Effects said;
 };
 
-/// What a decision node does with a joint task, at the ground station for a UAV at a degree below
-/// 4: the same interaction manager negotiates in that UAV's name and plays its role. It offers only
-/// roles that the model lets the ground play; a role's tasks are requests to the UAV's executive,
-/// numbered from kFirstPlayedId on by the millisecond of the mission. Who is not heard for 5 s is
-/// out of reach, so a UAV that is itself out of reach loses all its partners.
+/// Does at the ground station, for a UAV at a degree below 4, what a decision node does with joint
+/// tasks: the same interaction manager negotiates in that UAV's name and plays its role. It offers
+/// only roles that the model lets the ground play. The tasks of a role are requests to the UAV's
+/// executive, numbered from kFirstPlayedId on by the millisecond of the mission. A node that is not
+/// heard for 5 s counts as out of reach, so a UAV that is itself out of reach loses all partners.
 ///
 /// `now` never decreases. Deterministic. Not safe to share between threads.
 /// Source: T II.2, IV.3, V; spec 1.2, 7.3.
@@ -55,7 +55,7 @@ class StandIn {
  public:
   static constexpr executive::TaskId kFirstPlayedId = functional::kFirstPlayedId;
 
-  /// Of the UAV's Config: its name, `others`, knowledge, world and interaction, none of them null.
+  /// Uses of the UAV's Config: name, `others`, knowledge, world and interaction, none of them null.
   explicit StandIn(Config uav);
   ~StandIn();
   StandIn(StandIn&&) noexcept;
@@ -64,9 +64,9 @@ class StandIn {
   StandInEffects handle(const StandInInput& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
 
-  /// Some joint task is loading or played.
+  /// Whether any joint task is loading or being played.
   bool plays() const;
-  /// This one is.
+  /// Whether this joint task is.
   bool plays(executive::TaskId task) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much air a vehicle takes around what it means to fly.
+// How much air a vehicle reserves around its intended path.
 #pragma once
 
 #include "skein/world/vehicle_model.hpp"
@@ -7,28 +7,28 @@
 
 namespace skein::merging {
 
-/// Distances from what is meant [m], each with half of the separation that two vehicles keep
-/// (world::separation_share): where volumes of two do not overlap, they keep all of it.
+/// Distances from the intended path [m]. Each includes half of the separation between two vehicles
+/// (world::separation_share), so vehicles whose volumes do not overlap keep the full separation.
 struct Margins {
   bool hovers = true;
-  /// Level, around a place where it holds or circles, rises or lands, and around a line on which it
-  /// leaves: so that whoever holds can always go up.
+  /// Horizontal radius around a place where the vehicle hovers, circles, climbs or lands, and
+  /// around the line on which it departs, so that a holding vehicle can always climb.
   double hold = 0;
-  double way = 0;      ///< level, around a line it flies along, and may stop on
-  double settled = 0;  ///< it is this near [m] to where it holds: `hold` is enough
-  double level = 0;    ///< in height, where it flies level or holds
-  double slope = 0;    ///< in height, where its way rises or falls
-  double stretch = 0;  ///< longest piece [m] of a way, > 0: left one by one
-  /// Longest way [m] without a way-point, at least `stretch`: wind carries it off. A helicopter
-  /// slows at each, while it holds its height; one that cannot hover circles a point that is too
-  /// near to the last for its turns, so a way gets none in between where less than half of this is
-  /// left.
+  double way = 0;      ///< horizontal radius around a line that is flown, with stops on it
+  double settled = 0;  ///< within this distance [m] of its holding place `hold` is enough
+  double level = 0;    ///< vertical, in level flight and while holding
+  double slope = 0;    ///< vertical, while climbing or descending
+  double stretch = 0;  ///< longest piece [m] of a way, > 0; pieces are released one by one
+  /// Longest leg [m] without an intermediate way-point, at least `stretch`: bounds the drift by
+  /// wind. A helicopter slows down at each way-point; a vehicle that cannot hover would circle one
+  /// that is too near to the last for its turns, so none is inserted where less than half of this
+  /// length remains.
   double steered = 0;
 };
 
-/// At a speed through the air [m/s]. Wind: its mean and three deviations of its gusts count.
-/// The figures follow how a vehicle is steered at a point and not along a line; tests/corridor
-/// flies the simulator's vehicles against them.
+/// `speed`: airspeed [m/s]. Wind counts with its mean and three standard deviations of its gusts.
+/// The figures assume that vehicles steer towards the next way-point instead of tracking the line;
+/// tests/corridor flies the simulator's vehicles against them.
 Margins margins_of(const world::VehicleModel& model, const world::Wind& wind, double speed);
 
 }  // namespace skein::merging

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One UAV's part in merging ways.
+// Plan merging on one UAV: reserves the air of its next way.
 #pragma once
 
 #include <cstddef>
@@ -20,38 +20,41 @@ namespace skein::merging {
 
 // ---- inputs ----
 
-/// A message of another member.
+/// A message arrived from another member, or from the witness.
 struct Heard {
   std::string from;
   Message message;
 };
-/// Whether another member can be spoken to; until told, it can.
+/// Whether `peer` is in radio reach. Peers count as reachable until told otherwise.
 struct InReach {
   std::string peer;
   bool reachable = true;
 };
-/// It wants one of these, the first that it can have; before, it wants something else or nothing.
-/// Each is taken as a whole, in addition to what it holds. Whoever gets out of the way says what it
-/// wants afterwards: it has waited for that all the while, as has who comes back from there.
+/// This UAV wants to reserve one of `choices`: the first that can be granted, as a whole, in
+/// addition to what it holds. Replaces the previous Want.
 struct Want {
   std::vector<Volumes> choices;
+  /// For a UAV that moves aside (MoveAside), or comes back from there: the way it will ask for
+  /// next. Its waiting time for that way goes on counting meanwhile.
   Volumes afterwards = {};
-  /// It lands: soon it has no air any more, so nobody who has waited long gains by its waiting.
+  /// The way ends in a landing, after which the UAV holds no air. Peers that have waited long do
+  /// not take precedence over it, since they gain nothing if it waits.
   bool leaves = false;
 };
-/// It wants nothing any more.
+/// This UAV wants no reservation any more.
 struct Withdraw {};
-/// What it holds from now on: no more than it was granted, or where it is anyway.
+/// What this UAV holds from now on: a part of what it was granted, or the air where it is anyway.
 struct Hold {
   Volumes volumes;
 };
-/// It would take one of these if it could ask nobody, its way home; empty: nothing. Without a
-/// witness it has no effect.
+/// Ways home, one of which the witness shall keep free for when this UAV can ask nobody (Standby);
+/// empty: none. Without a witness it has no effect.
 struct Need {
   std::vector<Volumes> choices;
 };
-/// It never lived before, so it has promised nothing that it does not know of. Who is not told so
-/// may have forgotten, and takes no witness's word for a member that has not answered it yet.
+/// This is the node's first life, so there are no promises of an earlier life that it forgot.
+/// Without this input the merger assumes that there may be, and accepts no grant of the witness on
+/// behalf of a peer that has not answered it in this life.
 struct FirstLife {};
 /// Time passes.
 struct Tick {};
@@ -63,23 +66,23 @@ struct Tell {
   std::string to;
   Message message;
 };
-/// It has this choice of what it wanted, and wants nothing more. It stays so whatever becomes of
-/// the radio, until it holds less.
+/// The UAV holds this choice of its Want from now on, which is thereby done. The reservation stays
+/// valid whatever happens to the radio, until a Hold gives it back.
 struct Granted {
   std::size_t choice = 0;
 };
-/// What a peer has to do before one may fly.
+/// What a peer has to do before this UAV may fly.
 enum class Awaited : std::uint8_t {
-  kToLeave,          ///< the air is its own
-  kToTell,           ///< what it has
-  kToComeIntoReach,  ///< likewise
-  kToBeAnswered,     ///< it has asked for the same before
-  kToGoFirst         ///< it has waited long
+  kToLeave,          ///< it holds air that is wanted
+  kToTell,           ///< it has not told yet what it holds
+  kToComeIntoReach,  ///< the same, and it is out of reach
+  kToBeAnswered,     ///< it asked earlier for overlapping air and has precedence
+  kToGoFirst         ///< it has waited so long that it takes precedence (Limits::pressing)
 };
 /// "to leave", "to come into reach", …
 std::string_view to_text(Awaited what);
 
-/// It waits, for these, when that is not as it was.
+/// Whom the UAV waits for and why; sent whenever that changes.
 struct Waits {
   struct Why {
     std::string peer;
@@ -88,60 +91,64 @@ struct Waits {
   };
   std::vector<Why> whys;
 };
-/// They wait for each other in a circle, and it is this one that has to get out of the way: it
-/// wants something else, and then what it wanted again.
+/// Members wait for each other in a circle, and this UAV has to break it: it should want to move
+/// somewhere else first, and then its original way again.
 struct MoveAside {
-  std::vector<std::string> circle;  ///< from itself on
-  /// One of them is out of reach and gains nothing: only where its own way is free then.
+  std::vector<std::string> circle;  ///< beginning with this UAV
+  /// A member of the circle is out of reach and would not notice: moving aside makes sense only if
+  /// this UAV's own way becomes free by it.
   bool for_itself = false;
 };
 using Effect = std::variant<Tell, Granted, Waits, MoveAside>;
 using Effects = std::vector<Effect>;
 
 struct Limits {
-  Duration patience = Duration::milliseconds(2'000);  ///< for an answer
-  Duration repeat = Duration::milliseconds(300);      ///< who has not answered is asked again
-  Duration again = Duration::milliseconds(250);       ///< after a refusal
-  Duration beat = Duration::milliseconds(1'000);      ///< what is held or wanted is said again
-  Duration circle = Duration::milliseconds(400);      ///< a circle is one when it has stood so long
-  Duration next = Duration::milliseconds(300);        ///< until the next of a circle has to move
-  Duration moves = Duration::milliseconds(1'000);     ///< who was asked to move is not asked again
-  /// Whoever has waited so long presses: others do not come to stay where it wants to go.
+  Duration patience = Duration::milliseconds(2'000);  ///< until an unanswered request is given up
+  Duration repeat = Duration::milliseconds(300);      ///< between repetitions of a request
+  Duration again = Duration::milliseconds(250);       ///< from a refusal to the next request
+  Duration beat = Duration::milliseconds(1'000);      ///< between repetitions of the own claim
+  Duration circle = Duration::milliseconds(400);      ///< a circle of waits counts after this time
+  Duration next = Duration::milliseconds(300);        ///< until its next member has to move aside
+  Duration moves = Duration::milliseconds(1'000);     ///< between two MoveAside to the same member
+  /// After waiting this long a member takes precedence: others do not come to stay in air that it
+  /// wants.
   Duration pressing = Duration::milliseconds(240'000);
-  Duration clearly = Duration::milliseconds(5'000);  ///< by which one has waited longer
+  Duration clearly = Duration::milliseconds(5'000);  ///< differences of waiting times that count
 
-  /// Whoever wants something since then, if it does.
+  /// Whether a member that has wanted something since `since` (nothing: it wants nothing) takes
+  /// precedence.
   bool presses(const std::optional<MissionTime>& since, MissionTime now) const {
     return since && now >= *since + pressing;
   }
 };
 
-/// Reserves air so that no two members ever have the same. In every pair of members the earlier in
-/// the roster decides between the two: it takes what it has not granted the later, and grants the
-/// later what it neither has nor asks for; the later asks it. A way is taken as a whole or not at
-/// all, and what has been refused by one is given back to all, so nobody waits with half of
-/// something: who flies never waits, and only those who stay somewhere can wait in a circle.
+/// Reserves air such that no two members ever hold overlapping volumes. In every pair of members
+/// the one that is earlier in the roster decides: it may reserve whatever it has not granted to the
+/// later one, and grants the later one whatever it neither holds nor asks for; the later one has to
+/// ask. A way is granted as a whole or not at all, and after one refusal the grants of the others
+/// are given back, so no member waits while it holds half of a way: a UAV in flight along its way
+/// never waits, and only UAVs that hold at a place can be in a circle of waits.
 ///
-/// Holds for any delay, loss, order and repetition of messages, and for any cuts: what is held, and
-/// what was granted the later, changes by the word of its owner only. A cut between two keeps the
-/// later from new ways (what it has it keeps), never the earlier. A member that comes back without
-/// what it knew takes nothing until all have told what they have. One that never comes at all is
-/// waited for.
+/// Safe for any delay, loss, order and repetition of messages, and for any cuts: a reservation, and
+/// a grant to the later member, ends only when its owner says so. While a pair is cut the later
+/// member of it gets no new ways (it keeps what it holds); the earlier one is not affected. A
+/// member that restarts without its memory reserves nothing until every peer has told what it
+/// holds. A peer that never starts is waited for.
 ///
-/// With a witness (witness.hpp) two of three must agree, the two of a pair and the witness: each
-/// asks the other and the witness, and the word of one of them is enough. So nobody waits for one
-/// that is dead, late or cut off while the witness is in reach, except for air which that one may
-/// have; who reaches neither takes nothing new, but what the witness keeps free for it (Need). The
-/// witness passes on to who waits for one out of reach what that one has told it since.
-/// docs/decisions/0052-two-of-three.md, 0058-the-way-home-is-kept-free.md.
+/// With a witness (witness.hpp), two of three must agree: a request goes to the peer and to the
+/// witness, and a grant of either is enough. While the witness is in reach, a peer that is dead,
+/// late or cut off blocks only the air that it may itself hold. A member that reaches neither gets
+/// nothing new but the way home that the witness keeps free for it (Need). To a member that waits
+/// for a peer out of reach the witness forwards what that peer has told it.
+/// docs/decisions/0052-two-of-three.md, 0058-the-way-home-is-kept-free.md, 0064-words-passed-on.md.
 ///
 /// `now` never decreases. Deterministic. Cost of an input: O(volumes held × volumes wanted).
-/// Source: I III.B.3 (Alami et al. 1995, 1997: plan merging); the mutual exclusion is by pairs, not
-/// by a token, so that it outlives cuts. docs/decisions/0019-plan-merging.md.
+/// Source: I III.B.3 (Alami et al. 1995, 1997: plan merging); mutual exclusion works by pairs
+/// instead of a token, so that it survives cuts. docs/decisions/0019-plan-merging.md.
 class Merger {
  public:
-  /// Precondition: `self` is in `members`, nobody is twice; the same roster for all.
-  /// `witness`: its name, no member's; empty: there is none.
+  /// Precondition: `members` has no duplicates and contains `self`; all members are given the same
+  /// list in the same order. `witness`: its name, which is no member's; empty: there is none.
   Merger(std::vector<std::string> members, const std::string& self, Limits limits = {},
          const std::string& witness = "");
 
@@ -150,38 +157,38 @@ class Merger {
 
   const Volumes& held() const { return held_; }
   bool waits() const { return !choices_.empty(); }
-  /// For each other one there is somebody who can say whether it may have air.
+  /// For every peer either the peer itself or the witness is in reach.
   bool can_ask() const;
-  /// What others hold, were granted, or want (with a request or not), as far as it knows.
+  /// What the peers hold, were granted, or want (asked for or not), as far as known.
   Volumes others() const;
-  /// What others hold, and what they have asked for, granted or not; of `wanting` what they want,
-  /// asked for or not.
+  /// What the peers hold or have asked for, granted or not; of the peers in `wanting` also what
+  /// they want without having asked for it.
   Volumes taken(const std::vector<std::string>& wanting = {}) const;
-  /// Those whom it waits for to leave.
+  /// Peers that this UAV waits for to leave.
   std::vector<std::string> awaited() const;
-  /// These, and those who go first since they have waited long.
+  /// The same, and those that have precedence since they have waited long.
   std::vector<std::string> in_its_way() const;
-  /// Another one waits for this one to leave.
+  /// A peer that waits for this UAV to leave.
   struct Waiter {
     std::string peer;
-    bool for_its_place = false;  ///< where it stays at last, not only on the way there
+    bool for_its_place = false;  ///< it wants the place where this UAV stays, not only its way
   };
   std::vector<Waiter> waiters() const;
-  /// Where each of them will stay, or stays, as far as it knows.
+  /// Where each peer stays, or will stay at the end of its way, as far as known.
   Volumes ends() const;
 
  private:
   struct Peer {
-    bool earlier = false;  ///< it decides
+    bool earlier = false;  ///< in the roster: it decides between the two
     bool reachable = true;
     bool heard = false;
     std::uint64_t number = 0;  ///< of its last message
     Claim claim;
-    std::uint64_t answered = 0;  ///< the last of its requests that was answered
-    bool granted = false;
-    bool agreed = false;  ///< to the request that is open
-    /// It has answered a request of this life, or this is the first: nothing that was promised to
-    /// it is forgotten.
+    std::uint64_t answered = 0;  ///< its last request that this UAV answered
+    bool granted = false;        ///< the answer to that request
+    bool agreed = false;         ///< it has granted the open request of this UAV
+    /// It has answered a request in this life, or this is the first life: no promise to it is
+    /// forgotten.
     bool known = false;
     std::optional<MissionTime> wants_since;
   };
@@ -189,8 +196,8 @@ class Merger {
     std::string name;
     bool reachable = true;
     std::uint64_t number = 0;
-    bool agreed = false;                ///< to the request that is open
-    std::vector<std::string> refusers;  ///< who has what was asked for last, as it has it
+    bool agreed = false;                ///< it has granted the open request
+    std::vector<std::string> refusers;  ///< members that block the last request, by its answer
   };
 
   void on(const Heard& heard);
@@ -239,18 +246,18 @@ class Merger {
   Volumes held_;
   std::vector<Volumes> choices_;
   std::uint64_t request_ = 0;
-  Rising requests_, numbers_;     ///< of requests, of messages
-  std::size_t choice_ = 0;        ///< that it asks for
-  MissionTime deadline_;          ///< of the request
-  MissionTime pause_;             ///< it asks for nothing before
-  std::vector<Waits::Why> told_;  ///< why it waits
+  Rising requests_, numbers_;     ///< numbers of requests, of messages
+  std::size_t choice_ = 0;        ///< of `choices_`: the one that the open request asks for
+  MissionTime deadline_;          ///< of the open request
+  MissionTime pause_;             ///< no new request before
+  std::vector<Waits::Why> told_;  ///< the last Waits effect
   std::optional<MissionTime> wants_since_;
-  Volumes afterwards_;   ///< it wants, once it has come where it gets out of the way
-  bool leaves_ = false;  ///< what it wants is to land
+  Volumes afterwards_;   ///< Want::afterwards
+  bool leaves_ = false;  ///< Want::leaves
   std::optional<MissionTime> circle_since_;
-  MissionTime moved_aside_;  ///< it is not asked to again before
+  MissionTime moved_aside_;  ///< no further MoveAside before
 
-  bool changed_ = false;  ///< what it claims, since it was told
+  bool changed_ = false;  ///< the claim differs from what peers were told last
   MissionTime now_, said_, asked_;
   Effects out_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What UAVs that merge their ways tell each other.
+// Messages between UAVs that merge their plans, and between them and the witness.
 #pragma once
 
 #include <cstdint>
@@ -10,26 +10,26 @@
 
 namespace skein::merging {
 
-/// What one has and wants, whole: whoever hears the last needs none before.
+/// All that a member holds and wants. Complete: a receiver needs only the latest one.
 struct Claim {
-  Volumes held;                        ///< nobody else may be there
-  std::uint64_t request = 0;           ///< rises; 0: it asks for nothing now
-  Volumes wanted;                      ///< with a request: that; without: what it would ask for
-  std::vector<std::string> waits_for;  ///< who has what it wants
-  bool keeps = false;  ///< to a witness: the request is for air that it is to keep (Standby)
+  Volumes held;                        ///< reserved: no other member may enter
+  std::uint64_t request = 0;           ///< number of the open request, increasing; 0: none
+  Volumes wanted;                      ///< asked for by the request, or intended without one
+  std::vector<std::string> waits_for;  ///< members that hold some of `wanted`
+  bool keeps = false;  ///< to the witness: the request is for air to be kept free (Standby)
   bool operator==(const Claim&) const = default;
 };
 
-/// From one to another.
+/// From one member (or the witness) to another.
 struct Message {
-  std::uint64_t number = 0;  ///< rises, over restarts too: an older one is not heard after a newer
+  std::uint64_t number = 0;  ///< increases, also over restarts; an older one is ignored
   Claim claim;
-  std::uint64_t answered = 0;  ///< the last request of the receiver's that was answered; 0: none
-  bool granted = false;
-  /// To be answered by a message; to a witness without a request, or with one for air to keep: by
-  /// what those have for whom it waits, now and whenever that changes.
+  std::uint64_t answered = 0;  ///< the receiver's last request that is answered here; 0: none
+  bool granted = false;        ///< the answer
+  /// The sender expects an answer. To the witness without a request, or with one of a Standby: the
+  /// sender expects the claims of those it waits for, now and whenever they change.
   bool asks = false;
-  std::string of = {};  ///< from a witness: whose word it passes on, as told; empty: its own
+  std::string of = {};  ///< from the witness: whose claim it forwards; empty: its own answer
   bool operator==(const Message&) const = default;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of messages and requests.
+// Increasing numbers of messages and requests.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 
 namespace skein::merging {
 
-/// Numbers that go on rising in the life after one that is forgotten: none is below mission time.
+/// Numbers that increase also over a restart without memory: none is below mission time [ms].
 struct Rising {
   std::uint64_t last = 0;
 
-  /// [ms]; what is given from then on is no less.
+  /// The least number given at `now` or later [ms].
   static std::uint64_t least(MissionTime now) {
     return static_cast<std::uint64_t>(std::max<std::int64_t>(now.count(), 0)) / 1'000'000;
   }

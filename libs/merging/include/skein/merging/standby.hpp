@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Air that the witness keeps free for one that it may lose.
+// The way home that the witness keeps free for a UAV that may get out of reach.
 #pragma once
 
 #include <cstddef>
@@ -12,33 +12,33 @@
 
 namespace skein::merging {
 
-/// What a member takes without asking once it can ask nobody: its way home. It is a request that
-/// stays open at the witness and is told to nobody else. The witness lets nobody have that air;
-/// the member itself goes on granting it, and so knows of all who may have it. While the member is
-/// in reach the witness asks it to do without as soon as another wants that air. Of several ways
-/// one is kept: the first that the witness promises. Times never decrease. Source:
-/// docs/decisions/0058-the-way-home-is-kept-free.md.
+/// A member's side of a standing reservation: its way home, which it may take without asking once
+/// it can ask nobody. It is a request that stays open at the witness and is told to nobody else.
+/// The witness grants that air to nobody; the member itself may still grant it, and then knows who
+/// may be there. While the member is in reach, the witness asks it to give the air up as soon as
+/// another member wants it. Of several ways the first one that the witness grants is kept. Times
+/// never decrease. Source: docs/decisions/0058-the-way-home-is-kept-free.md.
 class Standby {
  public:
-  /// One of these; empty: none any more. What was kept before is not kept any more.
+  /// Sets the ways of which one is to be kept; empty: none. Ends what was kept before.
   void need(std::vector<Volumes> choices, MissionTime now);
-  /// The witness was told of another request, which stands in the place of this.
+  /// Another request of this member has replaced this one at the witness.
   void replace(MissionTime now);
-  /// It is to be asked for now, under this number.
+  /// The request is sent now, under this number.
   void ask(std::uint64_t request, MissionTime now);
-  /// The witness's answer to the request that is open. Refused, the next is asked for, and after
-  /// the last the first again later.
+  /// The witness's answer to the open request. After a refusal the next way is asked for, after the
+  /// last one the first again, later.
   void answered(bool granted, MissionTime now);
 
   bool is_due(MissionTime now) const { return due_ && *due_ <= now; }
-  /// When it is to be asked for; nothing: there is none, or it is kept.
+  /// When the next request is to be sent; nothing: no way is needed, or one is kept already.
   std::optional<MissionTime> due() const { return due_; }
-  std::uint64_t request() const { return request_; }  ///< 0: none is open
+  std::uint64_t request() const { return request_; }  ///< number of the open request; 0: none
   bool kept() const { return kept_; }
   const std::vector<Volumes>& choices() const { return choices_; }
-  /// The one that is kept, or asked for. Precondition: there is one.
+  /// The way that is kept, or asked for. Precondition: there is one.
   const Volumes& volumes() const { return choices_[choice_]; }
-  /// All of it is kept. Cost: O(product).
+  /// Whether all of `air` is kept. Cost: O(product).
   bool keeps(const Volumes& air) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pieces of air that somebody has for himself.
+// Volumes of air that a member reserves.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace skein::merging {
 
-/// The air within `radius` level of a straight line, between two heights: an upright prism over a
-/// stadium. Where both ends are one, a cylinder. It is had from when it is granted until its owner
-/// says that he has left it; it has no dates.
+/// The air within the horizontal distance `radius` of a straight line, between two heights: an
+/// upright prism over a stadium, or a cylinder where `from` equals `to`. It has no dates: it is
+/// reserved from the grant until its owner says that it has left.
 struct Volume {
   world::Vector2 from = world::Vector2::Zero();  ///< [m] ENU
   world::Vector2 to = world::Vector2::Zero();
@@ -22,17 +22,17 @@ struct Volume {
 };
 using Volumes = std::vector<Volume>;
 
-/// They have air in common; touching is none. Exact. Cost: constant.
+/// Whether two volumes have interior points in common; touching does not count. Exact. Constant
+/// cost.
 bool overlap(const Volume& one, const Volume& other);
-/// Any of the one and any of the other. Cost: O(product).
+/// Whether any of `some` overlaps any of `others`. Cost: O(product).
 bool overlap(const Volumes& some, const Volumes& others);
 
-/// All of `inner` is in `outer`, as far as their lines tell: no false yes. Cost: constant.
+/// True only if all of `inner` is in `outer`; may be false although it is. Constant cost.
 bool contains(const Volume& outer, const Volume& inner);
 
-/// As air that is closed to others: the prism around all that is nearer to `volume` than `wider`
-/// [m] level and `higher` [m] in height, with corners at the ends. At most 4 % of its radius too
-/// wide.
+/// The volume as a no-fly polygon for others: encloses all points within `wider` [m] horizontally
+/// and `higher` [m] vertically of `volume`. At most 4 % of the radius too wide.
 world::Volume closed_around(const Volume& volume, double wider, double higher);
 
 }  // namespace skein::merging

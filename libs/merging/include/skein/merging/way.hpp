@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A way through the air as a row of pieces, left one by one.
+// A flight path as a sequence of reserved volumes, which are released one by one.
 #pragma once
 
 #include <cstddef>
@@ -10,30 +10,30 @@
 
 namespace skein::merging {
 
-/// Where a vehicle is that holds there.
+/// The volume of a vehicle that holds at `place`.
 Volume stay_at(const world::Vector3& place, const Margins& margins);
-/// All air between two heights over a place: a takeoff, a landing.
+/// The volume over `place` between two heights [m]: for a takeoff or a landing.
 Volume column(const world::Vector2& place, double low, double high, const Margins& margins);
 
-/// A flight from point to point, which ends by staying at the last. A value.
+/// A flight through points, at the last of which the vehicle holds. A value.
 class Way {
  public:
   Way() = default;
-  /// At least two points, the first where it begins. Long pieces are cut, and get way-points in
-  /// between where wind would carry it off.
+  /// Precondition: at least two points, the first one where the flight begins. Long legs are cut
+  /// into pieces, and get additional way-points where wind would carry the vehicle too far off.
   Way(const std::vector<world::Vector3>& points, const Margins& margins);
 
-  /// Where its pieces begin, and its end.
+  /// The beginnings of the pieces, and the end of the flight.
   const std::vector<world::Vector3>& points() const { return points_; }
-  /// For the vehicle; the first where it begins.
+  /// What the vehicle is told to fly; the first is where it begins.
   const std::vector<world::Vector3>& way_points() const { return way_points_; }
-  /// Of each piece, and at last where it stays. Reserved as one.
+  /// One per piece, and the holding place at the end. Reserved as a whole.
   const Volumes& volumes() const { return volumes_; }
-  /// Takes note of where the vehicle is. True: it has left more of its way.
+  /// Notes the vehicle's position. True: it has left further pieces.
   bool passed(const world::Vector3& position);
-  /// What it has not left: the piece that it flies, the one before, which it may be blown back to,
-  /// and all after them. Whoever cannot hover keeps twice the width of its way behind, since it
-  /// turns back to way-points that it missed.
+  /// The volumes still needed: of the piece being flown, of the one before it (the vehicle may be
+  /// blown back) and of all after it. A vehicle that cannot hover keeps twice the width of its way
+  /// behind it, since it turns back to way-points that it missed.
   Volumes left() const;
 
  private:
@@ -41,7 +41,7 @@ class Way {
   Volumes volumes_;
   bool hovers_ = true;
   double near_ = 0;
-  std::size_t piece_ = 0;  ///< that it flies
+  std::size_t piece_ = 0;  ///< being flown
 };
 
 }  // namespace skein::merging

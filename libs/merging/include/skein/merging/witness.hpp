@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The third of any two that merge their ways.
+// The witness of plan merging: the ground station's vote in every pair of UAVs.
 #pragma once
 
 #include <map>
@@ -13,30 +13,31 @@
 
 namespace skein::merging {
 
-/// Answers what members ask for, and has, wants and decides nothing itself: yes to what no other
-/// member has, or was promised, as far as it knows. What it has promised stays so until the one
-/// that asked tells something newer. A member that is told "yes" needs no word of those that it
-/// cannot reach (Merger): any two of a pair and the witness know of all that either of them has.
+/// Answers the requests of members; holds and wants nothing itself. It grants what no other member
+/// holds or was promised, as far as it knows. A promise lasts until the member that asked sends a
+/// newer claim. A member with the witness's grant needs no grant of peers that it cannot reach
+/// (Merger): of each pair, what one member holds is known to the other one or to the witness.
 ///
-/// Holds for any delay, loss, order and repetition of messages, for cuts, and for members that are
-/// dead. One that forgot answers nobody until it has heard all, and what was asked for then may
-/// have been promised. `now` never decreases. Deterministic. Cost of a message: O(volumes wanted ×
-/// volumes of all). Source: J.-F. Pâris, "Voting with witnesses", 1986;
-/// docs/decisions/0052-two-of-three.md.
+/// Safe for any delay, loss, order and repetition of messages, for cuts, and for members that are
+/// dead. A witness that restarted without its memory grants nothing until it has heard every
+/// member, and takes requests that were open then for promised. `now` never decreases.
+/// Deterministic. Cost of a message: O(volumes wanted × volumes of all). Source: J.-F. Pâris,
+/// "Voting with witnesses", 1986; docs/decisions/0052-two-of-three.md.
 class Witness {
  public:
   explicit Witness(const std::vector<std::string>& members);
 
-  /// First of its life. Not `first`: it may have forgotten what it promised.
+  /// To be called before anything else. `first`: this is the witness's first life; otherwise it may
+  /// have forgotten promises.
   void begin(bool first, MissionTime now);
   struct Answer {
     std::string to;
     Message message;
   };
-  /// The answer to who asked, if he asked, or what those told last for whom he waits; to those who
-  /// wait for this one, what it tells, if they asked; and who is kept some of that air, to take
-  /// when it is out of reach, is told that another wants to fly there. Of strangers nothing is
-  /// heard.
+  /// The messages that follow from a member's message: the answer to its request; if it asked for
+  /// them, the claims of those it waits for; its claim to those that wait for it and asked; and, to
+  /// a member for which some of that air is kept free (Standby), that another wants to fly there.
+  /// Messages of non-members have no effect.
   std::vector<Answer> hear(const std::string& from, const Message& message, MissionTime now);
 
  private:
@@ -46,8 +47,8 @@ class Witness {
     Claim claim;
     std::uint64_t answered = 0;
     bool granted = false;
-    bool follows = false;      ///< it is to be told what those have for whom it waits
-    std::uint64_t unsure = 0;  ///< its request that may have been promised in a life before
+    bool follows = false;      ///< it is sent the claims of those it waits for
+    std::uint64_t unsure = 0;  ///< its request that may have been promised in an earlier life
   };
 
   void take(Record& record, const Message& message);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who has what, as people are told it.
+// The owners of the team's tasks, for people.
 #pragma once
 
 #include <cstdint>
@@ -16,22 +16,22 @@ namespace skein::team {
 /// "for-sale", "owned", "granted", "done", "unsold".
 std::string_view to_text(auction::Stage stage);
 
-/// One line of the team's book.
+/// One entry of the team's ledger, for people.
 struct TaskStanding {
   mission::GoalId task;
   std::string statement;  ///< "perceive P1 20"
   auction::Stage stage = auction::Stage::kForSale;
   std::vector<std::string> owners;
   std::uint64_t sale = 0;
-  std::string why;  ///< of the stage: bids, silence, who put it back and why
+  std::string why;  ///< reason of the stage: bids, silence, who put it back and why
   bool operator==(const TaskStanding&) const = default;
 };
 
-/// Tells what of a ledger is not as it was told last.
+/// Reports the entries of a ledger that changed since the last call.
 class Ownership {
  public:
   explicit Ownership(Roster roster) : roster_(std::move(roster)) {}
-  /// In the order of the tasks' numbers. Cost: the ledger, when its revision is another.
+  /// The changed entries, by task number. Cost: O(ledger) if its revision changed, else constant.
   std::vector<TaskStanding> news(const auction::Ledger& ledger);
   const std::map<mission::GoalId, TaskStanding>& known() const { return known_; }
 

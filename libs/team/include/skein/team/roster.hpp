@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is in a team, by name and by number.
+// The members of a team, by name and by number.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace skein::team {
 
-/// All that vote, UAVs and the ground station; numbered from 0 in their order, the same for all.
+/// All voting members (UAVs and the ground station), numbered from 0; the same order for all.
 class Roster {
  public:
   Roster() = default;
@@ -24,7 +24,7 @@ class Roster {
     if (found == members_.end()) return std::nullopt;
     return auction::MemberNumber(static_cast<std::uint32_t>(found - members_.begin()));
   }
-  /// "?" of a number that nobody has.
+  /// "?" for an unknown number.
   std::string name_of(auction::MemberNumber number) const;
 
  private:
@@ -37,7 +37,8 @@ struct Config {
   std::uint64_t seed = 1;
 };
 
-/// Of one that only votes: a UAV adds its craft. Precondition: it is in the roster.
+/// The setup of a member that only votes; a UAV adds its craft. Precondition: `self` is in the
+/// roster.
 auction::TeamSetup setup_of(const Config& config, const std::string& self);
 
 }  // namespace skein::team
