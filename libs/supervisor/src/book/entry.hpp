@@ -99,6 +99,9 @@ struct Entry {
   /// The executive has it, and it counts.
   bool in_hand() const { return stage_ == Stage::kGiven || ordered(); }
   bool under_way() const { return in_hand() && seen.started.has_value(); }
+  /// A motion that was started and has not run: the vehicle stays where it is until its air is
+  /// reserved, and also when the motion is aborted before that.
+  bool has_not_moved() const { return seen.started && !running && !done() && !task.way.empty(); }
 
  private:
   Stage stage_ = Stage::kPlanned;

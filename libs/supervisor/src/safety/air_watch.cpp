@@ -79,7 +79,8 @@ void AirWatch::look() {
       hovers ? vehicle.velocity.norm() <= kAtRest : circled(book_, beliefs_).has_value();
   const bool moves = std::any_of(book_.tasks.begin(), book_.tasks.end(), [](const auto& one) {
     const Entry& entry = one.second;
-    return entry.in_hand() && mission::type_of(entry.task).motion == functional::Motion::kMoves;
+    return entry.under_way() && !entry.has_not_moved() &&
+           mission::type_of(entry.task).motion == functional::Motion::kMoves;
   });
   if (!stands || moves || agenda_.needed() || is_leaving()) return;
   const world::Vector3& at = vehicle.position;

@@ -19,7 +19,7 @@ std::optional<world::Vector3> circled(const Book& book, const Beliefs& beliefs) 
   if (beliefs.model().hovers || !vehicle.airborne) return std::nullopt;
   std::optional<world::Vector3> over;
   for (const auto& [id, entry] : book.tasks) {
-    if (entry.task.way.empty() || !entry.seen.started) continue;
+    if (entry.task.way.empty() || !entry.seen.started || entry.has_not_moved()) continue;
     if (!entry.over()) return std::nullopt;
     over = entry.done() ? std::optional(entry.task.way.back()) : std::nullopt;
   }

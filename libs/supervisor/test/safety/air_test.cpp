@@ -307,5 +307,46 @@ TEST(SupervisorWorld, FarFromWhereItWasSentItIsWhereItIs) {
   EXPECT_FALSE(desk.job_started());
 }
 
+/// On the circle over (0, 0, 40) still: its flight on was started, and waits for reserved air.
+Desk circling_until_the_air_is_granted(const world::Vector3& now_at) {
+  Desk desk = on_two_ways(of_a_blimp());
+  desk.flies({0, 0, 40});
+  desk.at(30).ends(100);
+  desk.seen(101, TaskState::kStarted);
+  desk.flies(now_at);
+  return desk;
+}
+
+TEST(SupervisorWorld, ClosedOnTheCircleOfOneWhoseFlightWaitsForAirIsLeft) {
+  Desk desk = circling_until_the_air_is_granted({40, 0, 40});
+
+  desk.at(60).give(closed("smoke", kWestOfTheCircle));
+
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().remaining[0].name, "leave-closed-air");
+  EXPECT_EQ(desk.repair().base.situation.position, world::Vector3(0, 0, 40));
+}
+
+TEST(SupervisorWorld, AClosedCircleThatItComesToWhileItsFlightWaitsForAirIsLeft) {
+  Desk desk = circling_until_the_air_is_granted({200, 0, 40});
+  desk.at(60).give(closed("smoke", kWestOfTheCircle));
+  ASSERT_FALSE(desk.job_started());
+
+  desk.at(90).flies({40, 0, 40});
+
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().remaining[0].name, "leave-closed-air");
+}
+
+TEST(SupervisorWorld, AFlightThatHasJustBegunIsNotTakenForOneThatWaitsForAir) {
+  Desk desk = circling_until_the_air_is_granted({200, 0, 40});
+  desk.at(60).give(closed("smoke", kWestOfTheCircle));
+  desk.seen(101, TaskState::kRunning);
+
+  desk.at(90).flies({40, 0, 40});
+
+  EXPECT_FALSE(desk.job_started());
+}
+
 }  // namespace
 }  // namespace skein::supervisor
