@@ -39,7 +39,8 @@ std::vector<Violation> waits_in_circles(const History& history);
 /// The links between all UAVs are up, from the one instant to the other.
 bool all_hear_each_other(const History& history, double from, double until);
 std::vector<Violation> plan_words_unheard(const History& history);
-/// A partner does not come to the meeting of a goal: its own goal for it failed, or it has none.
+/// A partner does not come to the meeting of a goal: its own goal for it failed, or it has none, or
+/// it waits at another meeting for one that never comes.
 bool partner_never_comes(const History& history, const Uav& uav, const Goal& goal);
 // joint_tasks.cpp
 std::vector<Violation> roles_held_twice(const History& history);

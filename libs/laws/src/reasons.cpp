@@ -134,18 +134,22 @@ bool equipped(const Uav& uav, const Goal& goal) {
 }
 
 // Orders, or a partner, that never come: the wait ends, as it must, when what it may take is spent.
-// Whose fault that is, the partner's own goal tells.
-bool waited_as_long_as_it_may(const History& history, const Uav& uav, const Goal& goal) {
-  if (goal.state() != "failed" || !says(goal.changes.back().why, "waits no longer")) return false;
-  return goal.task.name == "wait-for-orders" || partner_never_comes(history, uav, goal);
+// Whose fault that is, the partner's own goal tells. When such a wait began, or was given up; never
+// for every other goal.
+double waits_in_vain_from(const History& history, const Uav& uav, const Goal& goal) {
+  const bool given_up =
+      goal.state() == "failed" && says(goal.changes.back().why, "waits no longer");
+  if (!given_up && goal.state() != "under-way") return kNever;
+  const bool in_vain =
+      goal.task.name == "wait-for-orders" ? given_up : partner_never_comes(history, uav, goal);
+  return in_vain ? goal.changes.back().at : kNever;
 }
 
 // From when on its energy is what such a wait has left.
 double spent_from(const History& history, const Uav& uav) {
   double from = kNever;
-  for (const auto& [id, goal] : uav.goals) {
-    if (waited_as_long_as_it_may(history, uav, goal)) from = std::min(from, goal.changes.back().at);
-  }
+  for (const auto& [id, goal] : uav.goals)
+    from = std::min(from, waits_in_vain_from(history, uav, goal));
   return from;
 }
 

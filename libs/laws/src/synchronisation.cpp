@@ -73,22 +73,49 @@ bool together(const Uav& uav, const Goal& goal, const Uav& other, double id) {
 
 }  // namespace
 
-bool partner_never_comes(const History& history, const Uav& uav, const Goal& goal) {
+namespace {
+
+bool never_come(const History& history, const Uav& uav, const Goal& goal,
+                std::set<std::string>& asked_before);
+
+// It is at a meeting to which somebody never comes.
+bool waits_in_vain(const History& history, const Uav& uav, std::set<std::string>& asked_before) {
+  if (!asked_before.insert(uav.name()).second) return false;
+  return std::any_of(uav.goals.begin(), uav.goals.end(), [&](const auto& one) {
+    return one.second.state() == "under-way" && never_come(history, uav, one.second, asked_before);
+  });
+}
+
+bool never_comes(const History& history, const Uav& partner, double meeting,
+                 std::set<std::string>& asked_before) {
+  bool asked = false, met = false;
+  for (const auto& [id, goal] : partner.goals) {
+    const auto other = meeting_of(partner, goal.task);
+    if (!other || other->id != meeting) continue;
+    if (goal.state() == "failed") return true;
+    asked = true;
+    met = met || goal.state() == "achieved";
+  }
+  return !asked || (!met && waits_in_vain(history, partner, asked_before));
+}
+
+bool never_come(const History& history, const Uav& uav, const Goal& goal,
+                std::set<std::string>& asked_before) {
   const auto meeting = meeting_of(uav, goal.task);
   if (!meeting) return false;
-  for (const std::string& name : meeting->partners) {
-    const auto partner = history.uavs.find(name);
-    if (name == uav.name() || partner == history.uavs.end()) continue;
-    bool asked = false;
-    for (const auto& [id, theirs] : partner->second.goals) {
-      const auto other = meeting_of(partner->second, theirs.task);
-      if (!other || other->id != meeting->id) continue;
-      asked = true;
-      if (theirs.state() == "failed") return true;
-    }
-    if (!asked) return true;
-  }
-  return false;
+  return std::any_of(meeting->partners.begin(), meeting->partners.end(),
+                     [&](const std::string& name) {
+                       const auto partner = history.uavs.find(name);
+                       return name != uav.name() && partner != history.uavs.end() &&
+                              never_comes(history, partner->second, meeting->id, asked_before);
+                     });
+}
+
+}  // namespace
+
+bool partner_never_comes(const History& history, const Uav& uav, const Goal& goal) {
+  std::set<std::string> asked_before{uav.name()};
+  return never_come(history, uav, goal, asked_before);
 }
 
 std::vector<Violation> synchronisations_apart(const History& history) {

@@ -111,6 +111,28 @@ TEST(Feasible, APartnerWhoseOwnGoalFailedIsNotWaitedForUntilItFalls) {
   EXPECT_THAT(broken("achieved"), SizeIs(2));
 }
 
+// Marvin waits for Heliv, which waits for Karma, which does not come.
+TEST(Feasible, APartnerWhoWaitsInVainItselfIsNotWaitedForUntilItFalls) {
+  const auto broken = [](const std::string& of_karma) {
+    Story story;
+    story.goal("marvin", 701, "synchro 501 (heliv) (heliv marvin)", "received", 1)
+        .goal("marvin", 702, "perceive P1 60", "received", 1)
+        .goal("heliv", 801, "synchro 500 (heliv karma) (heliv karma)", "received", 1)
+        .goal("heliv", 802, "synchro 501 (heliv) (heliv marvin)", "received", 1)
+        .goal("karma", 901, "synchro 500 (heliv karma) (heliv karma) [end-before 20]", "received",
+              1);
+    story.goal("karma", 901, "synchro 500 (heliv karma) (heliv karma) [end-before 20]", of_karma, 2,
+               "it must end before 20");
+    story.goal("heliv", 801, "synchro 500 (heliv karma) (heliv karma)", "under-way", 10);
+    story.goal("marvin", 701, "synchro 501 (heliv) (heliv marvin)", "under-way", 10);
+    story.goal("marvin", 702, "perceive P1 60", "failed", 3000, "needs 9 % of the energy");
+    return story.broken("feasible");
+  };
+
+  EXPECT_THAT(broken("failed"), IsEmpty());
+  EXPECT_THAT(broken("achieved"), SizeIs(1));
+}
+
 TEST(Feasible, APartnerWhoWasNotAskedIsNotWaitedForUntilItFalls) {
   const auto broken = [](const std::string& theirs) {
     Story story;
