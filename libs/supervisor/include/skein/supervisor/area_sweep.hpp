@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweep of an area as planning has it, for who carries it out without a plan: roles of joint
-// tasks.
+// The sweep of an area as the planner computes it, for callers that fly it without a plan: roles of
+// joint tasks.
 #pragma once
 
 #include <cstddef>
@@ -16,43 +16,45 @@
 namespace skein::supervisor {
 
 struct AreaSweep {
-  refiners::Way way;      ///< from where it sets out [m, ENU]
-  std::size_t lanes = 0;  ///< place in the way of the first point that is swept from
+  refiners::Way way;      ///< from the UAV's starting position to the last lane's end [m, ENU]
+  std::size_t lanes = 0;  ///< index in `way` of the first lane's first point
   double seconds = 0;     ///< expected
-  double energy = 0;      ///< expected, as a fraction of what is held when full
-  double reach = 0;       ///< how far to each side of a lane it sees [m]
+  double energy = 0;      ///< expected, as a fraction of the full capacity
+  double reach = 0;       ///< how far the device sees to each side of a lane [m]
 };
 
-/// The way to the area and over it, as the autopilot flies it, clear of closed air. Refused, with a
-/// sentence: the UAV has no such device, or the refiners find no way. Cost: that of planning a
-/// mapping, some milliseconds.
+/// The way from `from` to the area and over it, as the autopilot flies it, clear of closed air.
+/// Errors, in words: the UAV has no such device, or the refiners find no way. Cost: that of
+/// planning a mapping, some milliseconds.
 Result<AreaSweep, std::string> sweep_of(const std::shared_ptr<const Knowledge>& knowledge,
                                         const std::shared_ptr<const world::World>& world,
                                         MissionTime now, const world::Vector3& from,
                                         const world::Polygon& area, const std::string& device);
 
-/// Between two lanes of a mapping [m]; refused: no such device, or it sees nothing from there.
+/// Distance between two lanes of a mapping with the device, at the UAV's usual altitude [m].
+/// Errors: no such device, or it sees no ground from that altitude.
 Result<double, std::string> swath_of(const Knowledge& knowledge, const std::string& device);
-/// The same as sweep_of() flies them.
+/// The same for the lanes of sweep_of(), which overlap more.
 Result<double, std::string> shared_swath_of(const Knowledge& knowledge, const std::string& device);
 
-/// Whose part of an area it is.
+/// For what an area is swept.
 enum class Sweeping : std::uint8_t {
-  kShared,  ///< of a role of a joint task, as sweep_of() flies it
-  kOwn,     ///< of a mapping of its own: nothing is left out where it swings out behind a turn
+  kShared,  ///< as a share of a joint task's area, the way sweep_of() flies it
+  kOwn,     ///< as a mapping of one UAV, which is led back on its lane after each turn: no gaps
 };
 
-/// Who sweeps a part of an area, as far as the seconds it takes depend on that.
+/// What the duration of a sweep depends on, of the UAV that flies it.
 struct PartSweeper {
   world::VehicleModel vehicle;
   double altitude = 0;                            ///< over the ground [m], > 0
-  double swath = 0;                               ///< between its lanes [m], > 0
+  double swath = 0;                               ///< distance between two lanes [m], > 0
   world::Vector2 start = world::Vector2::Zero();  ///< [m, ENU], at that altitude
 };
 
-/// Seconds that sweep_of() expects of any vehicle over a part of an area [m, ENU]; nothing: it
-/// finds no way. Its own pilot and sensor are not asked for: `vehicle.position_precision` is what
-/// it strays.
+/// Expected duration [s] of the flight of `sweeper` to `part` [m, ENU] and over it, for any
+/// vehicle; absent: no way was found. The flight to the first lane is straight, and the device is
+/// one that sees as far as `swath` asks for; how far the vehicle strays follows from
+/// `vehicle.position_precision`.
 std::optional<double> seconds_of_sweep(const PartSweeper& sweeper, const world::Polygon& part,
                                        const std::shared_ptr<const world::World>& world,
                                        Sweeping sweeping = Sweeping::kShared);

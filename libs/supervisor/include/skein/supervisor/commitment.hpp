@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operator 5: elementary tasks as tasks of the executive.
+// Operator 5: elementary tasks become tasks of the executive.
 #pragma once
 
 #include <map>
@@ -12,24 +12,25 @@
 
 namespace skein::supervisor {
 
-/// Dependences become preconditions: (ENDED n) and (RUNNING n) mandatory, (OVER n) the optional
-/// form of ended. So does (ENDED n) of a task n in `stopped`: what an exit condition interrupts is
-/// aborted for the executive, never ended (spec 2.1). The dependences of its stop-task become exit
-/// conditions (ended → optional), with its `end_after`, if any. Its other time constraints become
-/// conditions on time: not before the date from which it may start (start_after, end_after), and
-/// not later than the last date at which it may (start_before, end_before). A hold is a choice:
-/// what it is on is over, or its date is past. Source: spec 2.7, 6.2 (5).
+/// The START of `task`. Its dependences become preconditions: (ENDED n) and (RUNNING n) mandatory,
+/// (OVER n) as an optional "ended". (ENDED n) is optional, too, for a task n in `stopped`: the
+/// executive counts a task that its exit condition interrupts as aborted, never as ended (spec
+/// 2.1). The dependences of the task's stop-task become optional exit conditions, together with
+/// `end_after`, if any. The time constraints become preconditions on time: not before the earliest
+/// start (with start_after or end_after), not after the latest start (with start_before or
+/// end_before). A hold becomes a disjunction: its task is over, or its date is past. Source: spec
+/// 2.7, 6.2 (5).
 executive::Start to_start(const mission::ElementaryTask& task, const mission::TaskDates& dates,
                           const std::set<executive::TaskId>& stopped,
                           const std::vector<Hold>& holds = {});
 
-/// The requests that give these tasks to the executive, all at one instant, in order. A START may
-/// only name tasks that are there, but a wait may be stopped by the end of a later task: the exit
-/// conditions of such a task follow as UPDATE-COND once all tasks are there; so do the
-/// preconditions of one that a later task holds back, which until then waits for an instant that
-/// never comes. `stopped` are the tasks the executive already has that have a stop; those among
-/// `tasks` are known to be so. Precondition: `dates` has every task; dependences name earlier ones,
-/// or ones that the executive has.
+/// The requests that give `tasks` to the executive, to be sent in order at one instant. A START may
+/// only name tasks that the executive has, but a wait may be stopped by the end of a later task:
+/// such exit conditions follow as UPDATE-COND after all STARTs. So do the preconditions of a task
+/// with a hold on a later task; until then its precondition is an instant that never comes.
+/// `stopped`: tasks with a stop that the executive has already; those among `tasks` are added here.
+/// Precondition: `dates` has every task; dependences name earlier tasks, or tasks that the
+/// executive has.
 std::vector<executive::Input> to_requests(
     const std::vector<mission::ElementaryTask>& tasks,
     const std::map<executive::TaskId, mission::TaskDates>& dates,

@@ -14,9 +14,9 @@ namespace skein::supervisor {
 using DeliberationRequest = std::variant<InsertionRequest, RepairRequest>;
 using DeliberationResult = std::variant<InsertionOutcome, RepairOutcome>;
 
-/// Any thread; touches nothing shared but what the request points to, which nobody changes.
-/// `time_is_up`, if given, is asked now and then; once it says so, the best that was found is the
-/// answer, or that there is none.
+/// Carries out one job, in any thread: shares nothing with others except the immutable data that
+/// the request points to. `time_is_up`, if given, is polled during the search; once it returns
+/// true, the result is the best plan found so far, or that there is none.
 DeliberationResult deliberate(const DeliberationRequest& request,
                               std::function<bool()> time_is_up = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Jobs of deliberation one after another.
+// Runs jobs of deliberation one after another.
 #pragma once
 
 #include <functional>
@@ -11,9 +11,9 @@ namespace skein::supervisor {
 
 class Plans;  // private: src/planning/plans.hpp
 
-/// Carries out one job after another, and keeps the planning domain compiled between them; a result
-/// is that of deliberate(), whatever came before. Thread rule: one job at a time, in any thread;
-/// touches nothing shared but what the request points to, which nobody changes.
+/// Keeps the compiled planning domain from one job to the next. Each result equals that of
+/// deliberate(), whatever jobs came before. Thread rule: one job at a time, in any thread; shares
+/// nothing with others except the immutable data that the request points to.
 class Deliberator {
  public:
   Deliberator();
@@ -21,7 +21,7 @@ class Deliberator {
   Deliberator(const Deliberator&) = delete;
   Deliberator& operator=(const Deliberator&) = delete;
 
-  /// `time_is_up` as of deliberate(): asked as often as there, whatever came before.
+  /// `time_is_up`: as in deliberate(), and polled equally often, whatever jobs came before.
   DeliberationResult deliberate(const DeliberationRequest& request,
                                 const std::function<bool()>& time_is_up = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways that a UAV flies by itself while nobody plans for it.
+// Ways that a UAV flies on its own decision while there is no plan.
 #pragma once
 
 #include <memory>
@@ -12,17 +12,17 @@
 namespace skein::supervisor {
 
 struct WayOut {
-  std::string volume;  ///< which is closed, or will be within a minute
-  world::Vector3 to;   ///< where it may stay
+  std::string volume;  ///< the volume to leave: closed, or about to close within a minute
+  world::Vector3 to;   ///< the place to fly to [m, ENU], in free air
 };
-/// Of one that holds there in the air; absent: it may stay there, or nothing near is free. Cost:
-/// O(volumes); when air is closed around it, that of an airspace.
+/// The way out of closed air for a UAV that holds at `at`; absent: that place is free, or there is
+/// no free place near. Cost: O(volumes); if the place is not free, that of building an airspace.
 std::optional<WayOut> way_out(const std::shared_ptr<const Knowledge>& knowledge,
                               const std::shared_ptr<const world::World>& world, MissionTime now,
                               const world::Vector3& at);
 
-/// From a place in the air to another, clear of closed air; straight where there is no such way.
-/// Begins with `from`. Cost: that of planning a way.
+/// A way from one place in the air to another, clear of closed air; if there is none, the straight
+/// line. Begins with `from` [m, ENU]. Cost: that of planning a way.
 std::vector<world::Vector3> own_way(const std::shared_ptr<const Knowledge>& knowledge,
                                     const std::shared_ptr<const world::World>& world,
                                     MissionTime now, const world::Vector3& from,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the steps of a symbolic plan to elementary tasks.
+// Reads elementary tasks from the steps of a symbolic plan.
 #pragma once
 
 #include "skein/foundation/result.hpp"
@@ -9,13 +9,14 @@
 
 namespace skein::supervisor {
 
-/// Every step that is not internal must have the shape
+/// The elementary plan of `plan`. Every step that is not internal must have the shape
 ///   (!task-NAME ID DEPENDENCES PARAMS START DURATION TIME-CONSTRAINTS ORIGIN)
-/// or that of a stop, (!stop-NAME ID …), whose dependences become those of the stop of the task of
-/// that id. PARAMS is a list of (KEY VALUE…): `type`, `sync`, `energy`, `way`, `open-ended` are the
-/// reader's, all others go to the functional layer as they are. Names come back in the letters that
-/// `knowledge` has them in. With the plan's tree tasks have their methods. Failure: every step that
-/// has another shape, in words. Source: docs/comets-domain.md.
+/// or, for a stop, (!stop-NAME ID …): its dependences become the `stop` of the task with that id.
+/// PARAMS is a list of (KEY VALUE…): the reader interprets `type`, `sync`, `energy`, `way` and
+/// `open-ended`; all others are passed on to the functional layer. Names get back the spelling that
+/// they have in `knowledge` (the planner's symbols ignore case). If the plan has its decomposition
+/// tree, the tasks get the labels of their methods. Failure: every step of another shape, in words.
+/// Source: docs/comets-domain.md.
 Result<mission::ElementaryPlan, Failure> read_plan(const htn::TermStore& store,
                                                    const htn::Plan& plan,
                                                    const Knowledge& knowledge, MissionTime origin);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the planning domain asks of its host: refiners, and the names of the world.
+// The host functions of the planning domain: calls of refiners, and names of the world.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,8 @@
 namespace skein::supervisor {
 
 /// The functions that docs/comets-domain.md lists (compute-gotoxyz, in-time, …), for plannings from
-/// one origin: what was refined once is not refined again, and every refusal is kept in words. The
-/// airspace is built at the first way that is asked for; volumes that are closed for a time only
-/// count all along. `budget` is that of each call of a refiner. Thread rule: one thread at a time.
+/// one origin. Answers of refiners are cached, and every refusal is kept in words. Airspaces are
+/// built on demand. `budget` is that of each call of a refiner. Thread rule: one thread at a time.
 class PlannerHost {
  public:
   PlannerHost(std::shared_ptr<const Knowledge> knowledge, std::shared_ptr<const world::World> world,
@@ -25,27 +24,29 @@ class PlannerHost {
   PlannerHost(const PlannerHost&) = delete;
   PlannerHost& operator=(const PlannerHost&) = delete;
 
-  /// What begins at `position` begins in flight, with that heading [rad], up to some seconds later.
+  /// The UAV is passing `position` with that heading [rad]: motions that begin there within some
+  /// seconds begin in flight, not at rest or on a circle.
   void flies_on(const world::Vector3& position, double heading);
-  /// What begins at `position` begins there, on the ground; elsewhere, where a landing ended.
+  /// The UAV stands at `position` now: motions that begin there begin exactly there. Motions from
+  /// other places on the ground begin where a landing ended.
   void stands_at(const world::Vector3& position);
 
-  /// The functions may outlive the host.
+  /// Registers the functions, which may outlive the host.
   void offer(htn::Functions& functions) const;
-  /// The same names and numbers of arguments, for reading a domain where there is no world: called,
-  /// they fail.
+  /// Registers functions of the same names and arities that fail when called: for reading a domain
+  /// without a world.
   static void declare(htn::Functions& functions);
 
-  /// Gives a domain the functions of whichever host sits at it, so that one compiled domain serves
-  /// hosts one after another. Thread rule: as a host.
+  /// Forwards the functions of a domain to the host seated at it, so that one compiled domain
+  /// serves one host after another. Thread rule: as PlannerHost.
   class Desk;
 
-  /// The next planning begins: from here on refusals and refinements count. What was refined before
-  /// is known; what was refused then is refused again with the same words.
+  /// A new planning begins: refusals() and refinements() are cleared, cached answers are kept. A
+  /// cached refusal is reported again with the same words.
   void begin();
-  /// Each once, in the order they came.
+  /// Why refiners and name look-ups refused, since begin(): each sentence once, in order.
   const std::vector<std::string>& refusals() const;
-  /// Calls of refiners that were not known from before.
+  /// Calls of refiners since begin() whose answers were not cached.
   std::uint64_t refinements() const;
 
  private:
@@ -56,7 +57,7 @@ class PlannerHost {
 class PlannerHost::Desk {
  public:
   Desk();
-  /// The functions may outlive the desk; while nobody sits at it they fail.
+  /// Registers the functions, which may outlive the desk; while no host is seated they fail.
   void offer(htn::Functions& functions) const;
   void seat(const PlannerHost& host);
   void leave();

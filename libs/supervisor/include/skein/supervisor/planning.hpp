@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operator 3: planner and refiners together make elementary tasks of high-level ones.
+// Operator 3: planner and refiners together decompose high-level tasks into elementary tasks.
 #pragma once
 
 #include <cstdint>
@@ -21,22 +21,22 @@
 
 namespace skein::supervisor {
 
-/// Tasks that a supervisor gives itself, where the domain declares them: to come down, and to leave
-/// air that was closed around the UAV. The second comes first in every order.
+/// High-level tasks that the supervisor adds by itself if the domain declares them: to land, and to
+/// leave air that was closed around the UAV. kLeaveClosedAir comes first in every order.
 inline constexpr std::string_view kComeDown = "general-land";
 inline constexpr std::string_view kLeaveClosedAir = "leave-closed-air";
 
-/// What looks over a zone for a time, by a patrol that has it in view for so long in all.
+/// The detection task: a patrol that has a zone in view for a given total time.
 inline constexpr std::string_view kDetection = "perform-detection";
 
-/// What a domain that has both may do in two parts, with other tasks between them: the mapping of a
-/// zone; and the first of its parts, with the zone, the share of the lanes (0 to 1) and the number
-/// of the mapping, which flies the others when its turn comes.
+/// A domain that declares both may fly a mapping in two parts, with other tasks between them:
+/// kMapPart is the first part. Its arguments are the zone, the share of the lanes (0 to 1) and the
+/// id of the mapping, which flies the remaining lanes when its turn comes.
 inline constexpr std::string_view kMapping = "perform-mapping";
 inline constexpr std::string_view kMapPart = "map-part";
-/// The mapping that a task is a part of; nothing of other tasks.
+/// The mapping that a kMapPart belongs to; absent for other tasks.
 std::optional<mission::GoalId> whole_of(const mission::HighLevelTask& task);
-/// The share of the lanes that a part of a mapping is to fly; nothing of other tasks.
+/// The share of the lanes that a kMapPart is to fly; absent for other tasks.
 std::optional<double> share_of(const mission::HighLevelTask& task);
 
 /// A planning domain as text (docs/comets-domain.md).
@@ -45,68 +45,70 @@ struct DomainText {
   std::string text;
 };
 
-/// What is known of another of the team from the start, whatever has become of it.
+/// Static data of another UAV of the team.
 struct Partner {
   std::string uav;
   world::VehicleModel vehicle;
   world::Vector3 home = world::Vector3::Zero();  ///< [m] ENU, on ground
-  double altitude = 40;                          ///< of its flights, over the ground [m]
+  double altitude = 40;                          ///< usual flight altitude over the ground [m]
 };
 
-/// What deliberation knows all along a mission. Immutable; shared by jobs.
+/// What deliberation knows throughout a mission. Immutable; shared by jobs.
 struct Knowledge {
   std::string uav;
   world::VehicleModel vehicle;
   world::Vector3 home =
-      world::Vector3::Zero();     ///< where it takes off and lands [m] ENU, on ground
-  double altitude = 40;           ///< of flights, over the ground, where nothing else is asked [m]
-  std::vector<std::string> team;  ///< names of all UAVs, this one too
-  std::vector<Partner> partners;  ///< of the team; who is not here is taken to be like this UAV
+      world::Vector3::Zero();     ///< where the UAV takes off and lands [m] ENU, on ground
+  double altitude = 40;           ///< usual flight altitude over the ground [m]
+  std::vector<std::string> team;  ///< names of all UAVs, including this one
+  std::vector<Partner> partners;  ///< a UAV of the team without an entry is taken to be like this
   DomainText domain;
   mission::Vocabulary vocabulary;
 };
 
-/// The tasks that the domain declares, or every error of the domain: text, unknown functions,
-/// declarations of unknown kinds.
+/// The high-level tasks that the domain declares, or every error of the domain: syntax, unknown
+/// functions, declarations of unknown kinds.
 Result<mission::Vocabulary, Diagnostics> vocabulary_of(const DomainText& domain);
 
-/// When a resource is free, and after what. Source: spec 3.3.
+/// From when on a resource (the vehicle's motion, a device) is free. Source: spec 3.3.
 struct Timeline {
   mission::Interval free;                    ///< relative to Situation::origin
-  std::optional<mission::Dependence> after;  ///< absent: nothing is to be waited for
+  std::optional<mission::Dependence> after;  ///< its last user; absent: there is none to wait for
   bool operator==(const Timeline&) const = default;
 };
 
-/// The state that a plan starts from: where the UAV will be when what it has in hand is over.
+/// The initial state of a plan: that of the UAV when the tasks that its executive keeps are over.
 struct Situation {
   MissionTime origin;
   world::Vector3 position = world::Vector3::Zero();  ///< [m] ENU
   double heading = 0;                                ///< [rad]
   bool airborne = false;
-  /// It is flying there now, with that heading, and flies on until the plan begins: it does not
-  /// wait or circle there.
+  /// The UAV is passing `position` now, with that heading, and does not hover or circle there
+  /// before the plan begins.
   bool flies_on = false;
-  /// It stands there now; else a landing that is to come brings it there, near enough.
+  /// The UAV stands at `position` now; otherwise, if it is not airborne, a landing to come ends
+  /// near it.
   bool stands = false;
-  double energy = 1;                      ///< what will be left, [0, 1]
+  double energy = 1;                      ///< expected remaining energy then, fraction in [0, 1]
   std::optional<world::Vector3> land_at;  ///< on the ground [m] ENU; absent: at home
   Timeline motion;
-  /// What runs along with that motion, or still runs after it: the next motion waits for it too.
+  /// Tasks that run along with that motion, or still run after it: the next motion waits for them,
+  /// too.
   std::vector<Timeline> riders;
-  std::map<std::string, Timeline> devices;  ///< those that are not here are free at once
+  std::map<std::string, Timeline> devices;  ///< devices without an entry are free at once
   std::set<std::string> broken;             ///< devices that do not work
   executive::TaskId next_id{1};             ///< elementary tasks are numbered from here
-  /// Of high-level tasks that were interrupted: what need not be done again.
+  /// Progress of interrupted high-level tasks, which is not planned again.
   std::map<mission::GoalId, mission::Progress> done;
 };
 
-/// How much may be spent on one plan. Counts give the same answer everywhere; the clock is filled
-/// by who runs the job. A value type.
+/// Limits of the search for one plan. The counts are reproducible on every machine; `time_is_up` is
+/// set by the host that runs the job. A value type.
 struct PlanningBudget {
   std::uint64_t expansions = 200'000;
   std::uint64_t inferences = 20'000'000;
-  std::uint64_t memory_bytes = std::uint64_t{1} << 30U;  ///< of the search's own structures
-  /// True once the time is up, or nobody wants the plan any more. May be empty: never.
+  std::uint64_t memory_bytes = std::uint64_t{1} << 30U;  ///< of the search's own data structures
+  /// Returns true once the time is up or the plan is no longer wanted. Empty: never.
   std::function<bool()> time_is_up;
 
   bool over() const { return time_is_up && time_is_up(); }
@@ -130,14 +132,14 @@ struct PlanningFailure {
 /// Figures of one planning, for measurements.
 struct PlanningEffort {
   std::uint64_t expansions = 0, inferences = 0;
-  std::uint64_t refinements = 0;  ///< calls of refiners that were not known from before
+  std::uint64_t refinements = 0;  ///< calls of refiners whose answers were not cached
   bool operator==(const PlanningEffort&) const = default;
 };
 
-/// A plan whose every task has its duration, way and conditions; not yet checked as a network
-/// (schedule.hpp). Deterministic; a job: it touches nothing shared but what the request points to.
-/// Cost: some milliseconds and what the refiners take. Source: T IV.2, IV.4.2 (SCD-3), spec 3.3 to
-/// 3.5.
+/// Plans the tasks of the request in their order. Each elementary task of the plan has its
+/// duration, way and conditions; the plan is not yet checked as a temporal network (schedule.hpp).
+/// Deterministic; a job: it shares nothing with others except what the request points to. Cost:
+/// some milliseconds plus the refiners'. Source: T IV.2, IV.4.2 (SCD-3), spec 3.3 to 3.5.
 Result<mission::ElementaryPlan, PlanningFailure> plan_tasks(const PlanningRequest& request,
                                                             PlanningEffort* effort = nullptr);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plan as a temporal network with uncertainty: is it consistent and dynamically controllable, and
-// between which dates does each task start and end?
+// A plan as a temporal network with uncertainty (STNU): whether it is consistent and dynamically
+// controllable, and between which dates each task starts and ends.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace skein::supervisor {
 
-/// What was seen of a task that the executive has.
+/// What the executive reported of a task.
 struct Observation {
   std::optional<MissionTime> started;  ///< dispatched
   std::optional<MissionTime> over;     ///< ended or aborted
@@ -23,83 +23,86 @@ struct Observation {
 };
 using Observations = std::map<executive::TaskId, Observation>;
 
-/// A bound that breaks the network, put back to the task it is of.
+/// A bound that makes the network inconsistent or uncontrollable, and the task it belongs to.
 struct Conflict {
   executive::TaskId task;
   std::string why;  ///< "ends no earlier than 431 s, must end before 400 s"
   bool operator==(const Conflict&) const = default;
 };
 
-/// Within this time the end of a task follows what stops it.
+/// Longest time from the event that stops a task to the task's end.
 inline constexpr Duration kStopReaction = Duration::milliseconds(1000);
-/// What is to start while a task runs starts this long before its end: at one and the same instant
-/// the executive may see the end first.
+/// A task that must start while another one runs starts at least this long before the other's end:
+/// if both come at one instant, the executive may see the end first.
 inline constexpr Duration kStartMargin = Duration::milliseconds(1);
 
-/// What holds a task back though all it waits for has come: were it to start, what must start while
-/// it runs might come too late. It starts when `on` is over, or when `until` is past.
+/// An additional wait of a task whose own conditions hold, as the network's execution strategy asks
+/// for it: if the task started earlier, tasks bounded from above by its start might be late. The
+/// task may start once `on` is over or `until` is past, whichever comes first.
 struct Hold {
-  executive::TaskId on;  ///< TaskId(): on time alone
-  MissionTime until;     ///< MissionTime::max(): no date is known yet, only the end of `on` counts
+  executive::TaskId on;  ///< TaskId(): none, only `until` counts
+  MissionTime until;     ///< MissionTime::max(): no date known yet, only the end of `on` counts
   bool operator==(const Hold&) const = default;
 };
 using Holds = std::map<executive::TaskId, std::vector<Hold>>;
 
-/// Orders between the way of this UAV and others' (spec 6.4).
+/// Precedences between motions of this UAV and of others in the same air, by plan merging (spec
+/// 6.4).
 struct AirOrders {
-  std::string uav;                         ///< this one
-  std::optional<executive::TaskId> waits;  ///< the motion that waits for its air
-  std::vector<std::string> for_others;     ///< to leave it
-  std::optional<executive::TaskId> flies;  ///< the motion under way
-  /// Others who wait for this UAV to leave: the air of that motion, or where it stays after it.
+  std::string uav;                         ///< the name of this UAV
+  std::optional<executive::TaskId> waits;  ///< the own motion that waits for its air
+  std::vector<std::string> for_others;     ///< the UAVs that have to leave that air
+  std::optional<executive::TaskId> flies;  ///< the own motion under way
+  /// UAVs that wait until this UAV has left the air of motion `flies`, or the place where it stays
+  /// after that motion.
   std::vector<std::string> for_its_way, for_its_place;
   bool operator==(const AirOrders&) const = default;
 };
 
-/// What is known of synchronisations with other UAVs, by their ids. Without it each takes as long
-/// as the domain says.
+/// What is known of the partners' plans for meetings (synchronisations, joint tasks, air to be
+/// left), by id. A synchronisation without an entry takes as long as the domain says.
 struct Meetings {
-  /// What of it counts. What others may do to a plan in force, or to one that is asked for, breaks
-  /// it only when it is certain.
+  /// How optimistic the network is about partners, from the least on. A plan breaks because of
+  /// partners only if it breaks under every level.
   enum class Reliance : std::uint8_t {
-    kOnNothing,     ///< they come as late as they may
-    kOnTheirBest,   ///< they come as early as they can
-    kNobodysNeeds,  ///< likewise, and this UAV is nowhere for another's sake
+    kOnNothing,     ///< partners come as late as they may
+    kOnTheirBest,   ///< partners come as early as they can
+    kNobodysNeeds,  ///< the same, and deadlines that partners need of this UAV are dropped
   };
   std::map<temporal::MeetingId, temporal::PartnerDates> of;
   Reliance reliance = Reliance::kOnNothing;
-  AirOrders air = {};  ///< of which others' leaving is in `of`, too
+  AirOrders air = {};  ///< the dates at which others leave the air are in `of`, too
   bool operator==(const Meetings&) const = default;
 };
 
-/// What is known of bounds between high-level tasks, and with others, when their elementary tasks
-/// are dated.
+/// Bounds between high-level tasks, and with other UAVs, for the dates of elementary tasks.
 struct GoalBounds {
-  std::map<mission::GoalId, std::vector<mission::GoalBound>> of;  ///< by the one that is bounded
-  std::map<mission::GoalId, MissionTime> over;  ///< high-level tasks that were achieved, and when
+  std::map<mission::GoalId, std::vector<mission::GoalBound>> of;  ///< by the bounded task
+  std::map<mission::GoalId, MissionTime> over;  ///< achieved high-level tasks, and when
   Meetings meetings;
   bool operator==(const GoalBounds&) const = default;
 };
 
 struct Schedule {
   bool consistent = false;
-  /// Dynamically: whatever durations nature chooses, each task started as early as its conditions
-  /// and its holds allow. Implies consistent.
+  /// Dynamically controllable: all constraints are kept for any contingent durations, if each task
+  /// starts as early as its conditions and its holds allow. Implies consistent.
   bool controllable = false;
   std::vector<Conflict> conflicts;  ///< empty iff controllable
-  /// Windows of the network: what is outside them breaks it. `latest` is unbounded unless some
-  /// absolute constraint reaches back to the task. When controllable, a window is what is left of
-  /// it in every course of nature (earliest dates with all durations least, latest with all
-  /// greatest); else that of the network with durations of one's choice. Empty unless consistent.
+  /// Time windows of the network: a start or an end outside its window violates a constraint.
+  /// `latest` is unbounded unless an absolute constraint propagates back to the task. If
+  /// controllable, earliest dates are those with all contingent durations least, latest dates those
+  /// with all greatest; else the windows are those of the network with all durations controllable.
+  /// Empty unless consistent.
   std::map<executive::TaskId, mission::TaskDates> dates;
-  /// What will come: dates at which tasks start and end when the executive starts each as early as
-  /// its conditions and holds allow; `latest` with all durations greatest, unbounded after what has
-  /// no greatest duration. To be shown to people and compared with promises. Empty unless
-  /// consistent.
+  /// Forecast: dates at which tasks start and end if the executive starts each as early as its
+  /// conditions and holds allow; `latest` with all durations greatest, unbounded behind a task
+  /// without greatest duration. To be shown to people and compared with promised dates. Empty
+  /// unless consistent.
   std::map<executive::TaskId, mission::TaskDates> foreseen;
   /// Of tasks that have not started; of a controllable network only.
   Holds holds;
-  /// When the last task ends, as foreseen; MissionTime() without tasks or unless consistent.
+  /// When the last task ends, by `foreseen`; MissionTime() without tasks or unless consistent.
   MissionTime earliest_end, latest_end;
 };
 
@@ -111,28 +114,26 @@ struct Schedule {
 ///   ENDED j, OVER j            start >= end of j
 ///   RUNNING j                  start of j <= start <= end of j - kStartMargin (0 once j started)
 ///   stop                       end >= every event waited for; the duration does not count. With
-///   one
-///                              event, start <= event and end <= event + kStopReaction
+///                              one event, start <= event and end <= event + kStopReaction
 ///   time constraints           start, end against mission time zero; end_after with a stop: the
 ///                              stop waits for it too
-///   bound after a goal         start, or end, of each task of the one against the last ends of the
-///                              other, or against the instant when that was achieved
-///   waits for its air          flies once the last of those who have it has left it: contingent,
-///   its
-///                              duration after that
-///   meeting with others        end >= when the last of them comes, contingent; the duration does
-///                              not count. Start <= when the others need it there
+///   bound after a goal         start, or end, of each task of the bounded goal against the last
+///                              end of the other goal, or the instant when that was achieved
+///   waits for its air          its duration begins when the last UAV has left the air, which is
+///                              contingent
+///   meeting with others        end >= arrival of the last partner, contingent; the duration does
+///                              not count. Start <= the date at which partners need this UAV there
 ///   not started                start >= now
-///   under way                  start at its date; what is left of the duration, at least until
-///   now;
-///                              longer than its most: end >= now, without bound from its duration
-///   over                       start and end at their dates, nothing else: facts break nothing
+///   under way                  start at its date; the rest of the duration, but end >= now. Longer
+///                              than its most: end >= now, without an upper bound from its duration
+///   over                       start and end at their dates, nothing else: observed dates break
+///                              no constraint
 ///
 /// Instants beyond 13 days from mission time zero, and such durations, count as unbounded.
 ///
-/// Cost: a check of dynamic controllability, a few milliseconds for 300 tasks; in flight the
-/// network is kept instead (plan_network.hpp). Precondition: ids differ. A dependence on a task
-/// that is not among `tasks` counts as met.
+/// Cost: a check of dynamic controllability, a few milliseconds for 300 tasks; in flight an
+/// incremental network is used instead (plan_network.hpp). Precondition: ids differ. A dependence
+/// on a task that is not among `tasks` counts as met.
 Schedule schedule(const std::vector<mission::ElementaryTask>& tasks, const Observations& seen,
                   MissionTime now, const GoalBounds& bounds = {});
 

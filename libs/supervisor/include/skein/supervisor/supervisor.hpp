@@ -33,27 +33,27 @@ struct CancelMission {
   std::string asked_by;
 };
 /// The operator lowers the degree, or the contact-loss policy takes over: the supervisor stops
-/// deciding. What it had not given to the executive is handed over.
+/// deciding. Tasks that it has not given to the executive are handed over (HandedOver).
 struct Disengage {
   std::string cause;  ///< "degree 3 by operator", "contact lost: hold"
 };
-/// The degree is 4 (again). With `resume`, high-level tasks that were handed over and are not
-/// settled are planned again from here.
+/// The UAV is at degree 4 (again): the supervisor decides. With `resume`, high-level tasks that
+/// were handed over and are not settled are planned again from the present state.
 struct Engage {
   bool resume = true;
   std::string cause;
-  /// What the executive has that is not over. Absent: all that it was given. Tasks that are not
-  /// among these were taken over by somebody else and count as lost.
+  /// The tasks that the executive has and that are not over. Absent: all that it was given. Other
+  /// tasks were taken over by somebody else and count as lost.
   std::optional<std::vector<executive::TaskId>> in_executive = std::nullopt;
 };
 struct WorldChanged {
   mission::ChangeWorld change;
 };
-/// What the executive told of any task, also of those that are not the supervisor's.
+/// The executive reported a state of a task; also of tasks that others gave it.
 struct TaskSeen {
   executive::TaskEvent event;
 };
-/// The executive answered a request of the supervisor's.
+/// The executive answered a request of the supervisor.
 struct RequestAnswered {
   executive::Reply reply;
 };
@@ -68,26 +68,27 @@ struct JobFinished {
 /// The executive wants a joint task carried out, or interrupted.
 struct JointTaskDue {
   executive::TaskId task;
-  bool interrupt = false;
+  bool interrupt = false;  ///< it is to be interrupted
 };
 /// The interaction manager's answer to LoadJointTask.
 struct JointTaskAnswered {
   executive::TaskId task;
   bool loaded = false;
-  mission::Interval agreed;  ///< when it is to start, relative to mission time zero
-  std::string why;           ///< not
-  /// What its role takes along its nominal path.
+  mission::Interval agreed;  ///< start, relative to mission time zero; if loaded
+  std::string why;           ///< why it is not loaded
+  /// Duration and energy of the UAV's role along its nominal path.
   struct Takes {
     Duration expected;
-    double energy = 0;  ///< expected, as a fraction of what is held when full
+    double energy = 0;  ///< expected, as a fraction of the full capacity
   };
   std::optional<Takes> takes = {};
 };
-/// When those whom the UAV is to meet come, as far as their plans are known.
+/// When partners come to the UAV's meetings, as far as their plans are known. Replaces what was
+/// known before.
 struct PartnersSeen {
   std::map<temporal::MeetingId, temporal::PartnerDates> meetings;
 };
-/// Which orders there are between its way and others', where that changed.
+/// The precedences between this UAV's motions and others' in the same air changed.
 struct OrdersSeen {
   AirOrders orders;
 };
@@ -99,27 +100,28 @@ using Input = std::variant<AddMission, CancelMission, Disengage, Engage, WorldCh
 
 // ---- effects ----
 
-/// The answer to AddMission, CancelMission, WorldChanged, in the same call: every reason at once.
+/// The answer to AddMission, CancelMission or WorldChanged, in the same call, with every reason of
+/// a refusal.
 struct Answer {
   bool accepted = true;
   std::vector<std::string> reasons;
 };
-/// Later than its acceptance: the mission has a plan, or none.
+/// An accepted mission was planned, or turned out to have no plan.
 struct MissionDecided {
   mission::MissionOutcome outcome;
 };
-/// START, ABORT or UPDATE-COND for the executive; or, of a joint task, its status.
+/// START, ABORT or UPDATE-COND for the executive; or the status of a joint task.
 struct ToExecutive {
   executive::Input input;
 };
-/// Run deliberate(request) as a job; its result comes back as JobFinished. The request is shared,
-/// so that a job costs no copy.
+/// Run deliberate(request) as a job and return its result as JobFinished. The request is shared, so
+/// that a job costs no copy.
 struct StartDeliberation {
   std::uint64_t job = 0;
   std::shared_ptr<const DeliberationRequest> request;
 };
-/// Nobody wants the result of this job any more: it may end as soon as it likes, with any result,
-/// which comes back all the same.
+/// The result of this job is no longer wanted: it may end at once with any result, which still
+/// comes back as JobFinished.
 struct StopDeliberation {
   std::uint64_t job = 0;
 };
@@ -134,17 +136,20 @@ struct GoalChanged {
 struct Decided {
   mission::Decision decision;
 };
-/// What was not given to the executive when the supervisor was disengaged, as it would have been.
+/// The tasks that the executive did not have when the supervisor was disengaged, with the
+/// conditions that they would have been given with.
 struct HandedOver {
   std::vector<mission::HeldTask> tasks;
 };
-/// Operator 4: to the interaction manager. Without preferences: it is not wanted any more.
+/// Operator 4: the interaction manager is to load a joint task. Without preferences: the task is no
+/// longer wanted.
 struct LoadJointTask {
   mission::ElementaryTask task;
   std::vector<mission::Interval>
       preferences;  ///< starts, relative to mission time zero; best first
 };
-/// What others need to know of the plan's network changed. Empty: nothing is decided here.
+/// The part of the plan's network that partners need to know changed. Empty: the supervisor is
+/// disengaged.
 struct FrontierChanged {
   temporal::Frontier frontier;
 };
@@ -161,32 +166,32 @@ using Effects = std::vector<Effect>;
 struct Config {
   std::shared_ptr<const Knowledge> knowledge;
   std::shared_ptr<const world::World> world;
-  /// A high-level task is given to the executive when it may start within this: the commitment
-  /// horizon.
+  /// Commitment horizon: a high-level task is given to the executive when it may start within this
+  /// time.
   Duration horizon = Duration::seconds(15);
-  /// How long beyond its most a task may take before that is a contingency.
+  /// By how much a task may exceed its greatest duration before that is a contingency.
   Duration grace = Duration::seconds(1);
-  /// Others are told the whole network of the plan, not what is left of it between its meetings.
+  /// Partners are sent the whole network of the plan instead of its reduction to the meetings.
   bool tells_all = false;
-  int refinements = 2;            ///< times that a failed high-level task is refined again
-  executive::TaskId first_id{1};  ///< of elementary tasks, where no plan says otherwise
+  int refinements = 2;            ///< how often a failed high-level task is refined again
+  executive::TaskId first_id{1};  ///< of the first elementary task
 };
 
-/// Keeps the plan of one UAV at degree 4: takes missions, has them planned as jobs, gives tasks to
-/// the executive as they come near, watches their execution, and repairs. It answers in the same
-/// call, whatever jobs run; one job runs at a time, what comes meanwhile waits for its end, and a
-/// result whose premises no longer hold is made again.
+/// Keeps the plan of one UAV at degree 4: accepts missions, has them planned as jobs, gives tasks
+/// to the executive as they come near, watches their execution, and repairs the plan. Requests are
+/// answered in the same call, whatever job runs; one job runs at a time, others wait for its end,
+/// and a job whose premises no longer hold when its result comes is run again.
 ///
-/// Laws: what the executive has is revised on explicit requests of users and by repair only. A
-/// high-level task is achieved when all its elementary tasks have ended, and fails with the first
-/// that is aborted and not replaced. While engaged and in the air the UAV has a task, or the
-/// effects say that it has none: then it is told to wait.
+/// Laws: tasks that the executive has are revised only on explicit requests of users and by repair.
+/// A high-level task is achieved when all its elementary tasks have ended, and fails with the first
+/// one that is aborted and not replaced. While the supervisor is engaged and the UAV in the air,
+/// the UAV has a task; if the plan gives it none, the effects say so and start a safe wait.
 ///
-/// It is not engaged until Engage comes; what it was told before counts. Before its first task it
-/// only says, by a Notice, that the UAV flies without one.
+/// The supervisor is disengaged until the first Engage; inputs before it count. Before it has given
+/// its first task, it only reports by a Notice that the UAV flies without a task.
 ///
-/// The host carries out the effects of a call in their order, all of them, and only then hands over
-/// what came of them, in the order in which it came.
+/// The host carries out all effects of a call in their order, and only then passes in the inputs
+/// that result from them, in the order in which they arose.
 ///
 /// `now` never decreases. Deterministic. Not safe to share between threads. Source: T IV.4, spec 6.
 class Supervisor {
@@ -201,7 +206,8 @@ class Supervisor {
 
   bool engaged() const;
   const mission::PlanReport& report() const;
-  /// As believed, at any degree. What was given away never changes.
+  /// The world as the supervisor believes it to be, at any degree. The returned object is
+  /// immutable; a change of belief makes a new one.
   std::shared_ptr<const world::World> world() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where high-level tasks take the UAV, for who would estimate without planning.
+// Where high-level tasks take the UAV, for estimates without planning.
 #pragma once
 
 #include <memory>
@@ -10,9 +10,10 @@
 
 namespace skein::supervisor {
 
-/// Ways of visiting what the task is about, as tours have them: the point over a place; of several
-/// places every pair of them; of a zone the corners where a sweep may begin, with what that takes.
-/// Empty: it has no place, or one that nobody knows. Cost: of a zone, a sweep each corner.
+/// Alternative entry and exit points of the task, as gates of a tour: for a place the point over
+/// it; for several places every ordered pair of them; for a zone the corners where a sweep may
+/// begin, with its exit and its cost. Empty: the task has no place, or an unknown one. Cost: for a
+/// zone, one sweep per corner.
 std::vector<refiners::Gate> visits_of(const mission::HighLevelTask& task,
                                       std::shared_ptr<const Knowledge> knowledge,
                                       std::shared_ptr<const world::World> world, MissionTime at);
