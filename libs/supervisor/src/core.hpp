@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The supervisor's rooms put together: who is asked what, in which order.
+// Composition of the supervisor's components, and the dispatch of inputs to them.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace skein::supervisor {
 
-/// Each room knows those above it in the list of members, and of them what its constructor names.
+/// Each component refers only to members declared before it: those that its constructor takes.
 class Supervisor::Core {
  public:
   explicit Core(Config config);
@@ -62,8 +62,8 @@ class Supervisor::Core {
   HandOver hand_over_;
   Observer observer_;
   Requests requests_;
-  temporal::Frontier told_;         ///< to others
-  std::uint64_t told_version_ = 0;  ///< of the dates
+  temporal::Frontier told_;         ///< the last FrontierChanged
+  std::uint64_t told_version_ = 0;  ///< Dates::version() at that time
 };
 
 }  // namespace skein::supervisor

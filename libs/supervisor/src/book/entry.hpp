@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An elementary task of a goal, and how it stands between plan and executive.
+// An elementary task of a goal, and its stage between plan and executive.
 #pragma once
 
 #include <cstddef>
@@ -17,72 +17,72 @@ namespace skein::supervisor {
 
 using executive::TaskId;
 
-/// The first five count for its goal. A task that is withdrawn from there, since it was made anew
-/// or is not wanted any more, goes on in the others.
+/// In the first five stages a task counts for its goal ("live"). A task that was withdrawn, because
+/// it was replaced or is no longer wanted, is in one of the others.
 enum class Stage : std::uint8_t {
   kPlanned,  ///< the executive does not have it
   kGiven,    ///< the executive has it
-  kOrdered,  ///< open-ended, and told to end: orders have come
-  kDone,     ///< over as it should be
-  kLost,     ///< over otherwise
+  kOrdered,  ///< an open-ended task that was told to end, since orders have come
+  kDone,     ///< over, and successful
+  kLost,     ///< over, and not successful
 
-  kDropped,    ///< withdrawn from kPlanned
-  kWithdrawn,  ///< withdrawn from the executive, which is to be told to stop it
-  kStopping,   ///< and was told
-  kPastDone,   ///< kDone, and withdrawn before or since
-  kPastLost    ///< kLost, likewise
+  kDropped,    ///< withdrawn before it was given
+  kWithdrawn,  ///< withdrawn; the executive has it and is to be told to abort it
+  kStopping,   ///< withdrawn; the executive was told to abort it
+  kPastDone,   ///< kDone, and withdrawn before or after
+  kPastLost    ///< kLost, and withdrawn before or after
 };
 /// "planned", "given", …
 std::string_view to_text(Stage stage);
 
-/// What makes one stage of another.
+/// A transition between stages.
 enum class Step : std::uint8_t {
-  kGive,      ///< the executive has it, from us or from others
-  kOrder,     ///< it is told to end
-  kWithdraw,  ///< it counts no longer for its goal
-  kStop,      ///< the executive was told to abort it
-  kEnd,       ///< it ended
-  kAbort,     ///< it was aborted or refused, or somebody took it over
-  kExcuse     ///< it was aborted as it should be
+  kGive,      ///< the task was given to the executive, by the supervisor or by others
+  kOrder,     ///< an open-ended task is told to end
+  kWithdraw,  ///< the task no longer counts for its goal
+  kStop,      ///< the executive was told to abort the task
+  kEnd,       ///< the task ended
+  kAbort,     ///< the task was aborted or refused, or somebody took it over
+  kExcuse     ///< the abort turned out to be as planned: the task counts as done
 };
 std::string_view to_text(Step step);
 
-/// The table of transitions. Nothing: this never happens there.
+/// The table of transitions; absent: `step` is impossible in `stage`.
 std::optional<Stage> after(Stage stage, Step step);
 
-/// Whether a time that has passed without what was foreseen was dealt with.
+/// Which delay of a task was reported already.
 enum class Tardiness : std::uint8_t {
   kInTime,
-  kLate,    ///< it has not started
-  kOverdue  ///< it has not ended
+  kLate,    ///< that it has not started in time
+  kOverdue  ///< that it has not ended in time
 };
 
 struct Entry {
   mission::ElementaryTask task;
-  mission::TaskDates window;    ///< what is outside breaks the network
-  mission::TaskDates dates;     ///< foreseen now
-  mission::TaskDates promised;  ///< foreseen when the plan was made or last shifted
+  mission::TaskDates window;    ///< Schedule::dates: outside of it a constraint is violated
+  mission::TaskDates dates;     ///< Schedule::foreseen, as of now
+  mission::TaskDates promised;  ///< `dates` when the plan was made or last shifted
   Observation seen;
-  std::optional<MissionTime> running;               ///< since when
-  world::Vector3 seen_at = world::Vector3::Zero();  ///< where the vehicle was then
-  std::size_t passed = 0;  ///< way-points behind the first, of the motion it perceives along
-  /// Of the lanes of a part of a mapping: the way-points, from its last on, that it leaves to that.
-  /// Empty: the mapping is not planned to go on there.
+  std::optional<MissionTime> running;               ///< since when it is running
+  world::Vector3 seen_at = world::Vector3::Zero();  ///< the vehicle's position then [m, ENU]
+  std::size_t passed = 0;  ///< way-points reached, after the first, of the motion flown along
+  /// For the flight of a part of a mapping: the way-points, from its last one on, that are left to
+  /// the mapping. Empty: the mapping is not planned to go on there.
   std::vector<world::Vector3> beyond = {};
-  std::string why;                                              ///< of its interruption
-  executive::AbortCause cause = executive::AbortCause::kOther;  ///< likewise
-  std::vector<Hold> holds;                                      ///< as the executive was told
-  mission::TaskDates told_window;                               ///< likewise
-  bool by_others = false;  ///< given by somebody else, with conditions of their own
-  bool scheduled = false;  ///< an executive said that it has it
-  bool was_held = false;   ///< it was given with something in `holds`
-  bool unseen = false;     ///< lost to somebody else: nobody saw what became of it
+  std::string why;                                              ///< of its abort
+  executive::AbortCause cause = executive::AbortCause::kOther;  ///< of its abort
+  std::vector<Hold> holds;                                      ///< last sent to the executive
+  mission::TaskDates told_window;                               ///< last sent to the executive
+  bool by_others = false;  ///< given by somebody else, with other conditions
+  bool scheduled = false;  ///< an executive confirmed to have it
+  bool was_held = false;   ///< it was given with holds
+  bool unseen = false;     ///< taken over by somebody else: its outcome is unknown
   Tardiness told = Tardiness::kInTime;
 
   Stage stage() const { return stage_; }
   /// Precondition: the table has this step.
   void advance(Step step);
-  /// It is over, and did not end. Precondition: as of Step::kAbort.
+  /// Records that the task was aborted. Precondition: the table has Step::kAbort here.
   void abort(MissionTime at) {
     seen.over = at;
     seen.aborted = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What others are told in a call: decisions, states of goals, requests to the executive, the plan.
+// The effects of a call: decisions, states of goals, requests to the executive, the plan.
 #pragma once
 
 #include <string>
@@ -11,39 +11,39 @@
 
 namespace skein::supervisor {
 
-/// What a Decided says, with its beginning.
+/// The application of an operator, for Decided.
 struct Application {
   std::string applied, cause, inputs, outcome;
   MissionTime began;
 };
 
-/// The effects of the call that is running, in the order in which they come about, and its instant.
-/// A change of a goal's state is told as it is made, so it is made here. Lifetime: refers to the
-/// book.
+/// Collects the effects of the current call in the order in which they arise, and keeps the call's
+/// instant. Changes of goals' states are made here, so that each is reported. Lifetime: refers to
+/// the book.
 class Outbox {
  public:
   explicit Outbox(Book& book) : book_(book) {}
 
-  /// A call begins. Its instant never decreases.
+  /// A call begins. `now` never decreases.
   void begin(MissionTime now);
   MissionTime now() const { return now_; }
-  /// It ends: the plan is told of if it changed.
+  /// The call ends: returns its effects, with PlanChanged if the plan changed.
   Effects close();
 
   void add(Effect effect) { effects_.push_back(std::move(effect)); }
   void notice(std::string text) { add(Notice{std::move(text)}); }
   void send(executive::Input input) { add(ToExecutive{std::move(input)}); }
   void decide(Application application);
-  /// For a decision that is told before its consequences and worded after them: its place in what
-  /// is told. Precondition: decide(place, …) in the same call.
+  /// Reserves a place among the effects for a decision that is reported before its consequences but
+  /// worded after them. Precondition: decide(place, …) follows in the same call.
   std::size_t reserve_decision();
   void decide(std::size_t place, Application application);
-  /// A goal that is settled stays so; the same state is not told twice.
+  /// Sets and reports the state; no effect on a settled goal, or if it is in that state already.
   void set_state(Goal& goal, GoalState state, const std::string& why = {});
 
-  /// Tasks by what they are of, goals by what they are; each goal once.
+  /// The text with ids of tasks and goals replaced by descriptions; each goal is described once.
   std::string in_words(const std::string& text) const;
-  /// "plan 3, 7 tasks": that which will be told of when the call ends.
+  /// "plan 3, 7 tasks": the plan that close() will report.
   std::string plan_text() const;
   const mission::PlanReport& report() const { return report_; }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Goals that the supervisor gives itself, so that what it does unasked is seen like all the rest.
+// Goals that the supervisor adds by itself (landings, leaving closed air), reported like all
+// others.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +11,16 @@
 
 namespace skein::supervisor {
 
-/// Numbers them, and puts them before all others. Lifetime: refers to its arguments.
+/// Makes such goals, numbers them, and puts them first in the order. Lifetime: refers to its
+/// arguments.
 class OwnGoals {
  public:
   OwnGoals(const Knowledge& knowledge, Book& book, Outbox& out)
       : knowledge_(knowledge), book_(book), out_(out) {}
 
-  /// The domain has this task.
+  /// Whether the domain declares this task.
   bool can_plan(std::string_view task) const;
-  /// The next one, which is not entered yet; nothing when the domain has no such task.
+  /// A new goal, not entered in the book yet; absent if the domain does not declare the task.
   std::optional<mission::HighLevelTask> next(std::string_view name) const;
   GoalId enter(const mission::HighLevelTask& task);
 
@@ -26,7 +28,7 @@ class OwnGoals {
   const Knowledge& knowledge_;
   Book& book_;
   Outbox& out_;
-  std::uint64_t given_ = 0;  ///< so far
+  std::uint64_t given_ = 0;  ///< how many were entered
 };
 
 }  // namespace skein::supervisor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was settled long ago, and is let go.
+// Removal of goals that were settled long ago.
 #pragma once
 
 #include <cstddef>
@@ -8,19 +8,18 @@
 
 namespace skein::supervisor {
 
-/// Of the goals that are settled, so many are kept: the last ones.
+/// How many of the most recently settled goals are kept.
 struct Kept {
   std::size_t goals = 0;     ///< in the plan, for reports
-  std::size_t tasks_of = 0;  ///< of those with their tasks, which each input goes through
-  std::size_t bare = 256;    ///< of those that left the plan, with how and when they were settled
+  std::size_t tasks_of = 0;  ///< of those in the plan, with their tasks (each input visits these)
+  std::size_t bare = 256;    ///< outside the plan, with how and when they were settled
 };
 
-/// Of the goals that are settled all but the last leave the plan, and of some more the tasks go,
-/// the oldest first, as far as nothing open names them or is a whole of which they are parts, and
-/// the executive has nothing of them. That there was a goal of that number stays known, how and
-/// when it was settled of the last `bare`. Nothing is done before a quarter more than is kept are
-/// settled. Precondition: no job is under way: its premises name tasks. Cost: linear in goals and
-/// tasks.
+/// Removes settled goals beyond `kept` from the plan, and the tasks of further ones, the oldest
+/// first. Exempt are goals that an open goal names, parts of an open mapping, and goals with tasks
+/// at the executive. Which ids there ever were stays known. Runs only when the settled goals exceed
+/// what is kept by a quarter. Precondition: no job is under way, since its premises name tasks.
+/// Cost: linear in goals and tasks.
 void let_go_of_the_past(Book& book, Kept kept);
 
 }  // namespace skein::supervisor

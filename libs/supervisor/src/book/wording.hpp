@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reasons for people name goals, not the numbers that tasks have inside.
+// Texts for people: they name goals instead of the internal ids of tasks.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@ namespace skein::supervisor {
 /// "the takeshot of goal 702".
 std::string in_words(const mission::ElementaryTask& task);
 
-/// The text with each "WORD NUMBER" replaced by what `name` says of the number; as it is where that
-/// is empty. Cost: linear in the text, and the calls.
+/// The text with each "WORD NUMBER" replaced by `name(NUMBER)`, unless that is empty. Cost: linear
+/// in the text, plus the calls.
 std::string with_names(const std::string& text, const std::string& word,
                        const std::function<std::string(std::uint64_t)>& name);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operator 5: high-level tasks go to the executive as a whole as they come near.
+// Operator 5: gives high-level tasks to the executive, each as a whole, when they come near.
 #pragma once
 
 #include <optional>
@@ -14,36 +14,36 @@
 
 namespace skein::supervisor {
 
-/// What the executive is given, told and made to stop. Lifetime: refers to its arguments.
+/// Gives tasks to the executive, updates their conditions, and aborts them. Lifetime: refers to its
+/// arguments.
 class Committer {
  public:
   /// `horizon`: a high-level task is given when it may start within this.
   Committer(const world::VehicleModel& vehicle, Duration horizon, const Agenda& agenda,
             Dates& dates, Outbox& out, Book& book);
 
-  /// Gives what is due, unless the plan is being repaired.
+  /// Gives the goals that are due, unless the plan is being repaired.
   void commit();
-  /// True when something was ever given.
+  /// Whether any task was ever given.
   bool ever_gave() const { return ever_gave_; }
   std::optional<GoalId> next_to_give() const;
-  /// When; nothing while that is not known.
+  /// When the goal is to be given; absent while that is not known.
   std::optional<MissionTime> due(GoalId goal) const;
-  /// It begins some time after the end of another goal, which is to come.
+  /// The goal's start is bounded by the end of another goal that has not ended yet.
   bool is_undated(GoalId goal) const;
 
-  /// Makes the dates anew, and tells the executive what they change for it.
+  /// Updates the dates, and the conditions of tasks at the executive that change with them.
   void reschedule();
   void send_preconditions(Entry& entry);
   void stop(const std::vector<TaskId>& tasks);
-  /// These goals lose their tasks.
+  /// Withdraws the tasks of these goals, and has the executive abort those that it has.
   void retire(const std::set<GoalId>& goals);
 
-  /// A task of no goal; returns its number.
+  /// Gives the executive a task of no goal; returns its id.
   TaskId start_loose(const std::string& type);
   TaskId start_safe_wait();
   void stop_safe_waits();
-  /// When a safe wait is to end, so that the first of the tasks that the executive has may begin in
-  /// time.
+  /// When a safe wait is to end so that the first task that the executive has may begin in time.
   std::optional<MissionTime> end_of_safe_wait() const;
 
   JointTasks& joint_tasks() { return joint_tasks_; }

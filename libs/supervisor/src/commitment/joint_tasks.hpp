@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operator 4: joint tasks are loaded with the interaction manager.
+// Operator 4: has the interaction manager load joint tasks.
 #pragma once
 
 #include <map>
@@ -9,22 +9,23 @@
 
 namespace skein::supervisor {
 
-/// Joint tasks of the plan are loaded when they come into it, since an agreement takes its time.
-/// Lifetime: refers to its arguments.
+/// Joint tasks are loaded as soon as they are in the plan, since an agreement takes time. Lifetime:
+/// refers to its arguments.
 class JointTasks {
  public:
   JointTasks(Outbox& out, Book& book) : out_(out), book_(book) {}
 
-  /// Asks for those that came into the plan, and for those that cannot begin any more when it was
-  /// agreed; those that left it are not wanted any more.
+  /// Asks to load joint tasks that are new in the plan, and again those that can no longer begin at
+  /// the agreed time; gives up those that left the plan.
   void renew();
-  /// Nobody knows of what was asked for before.
+  /// Forgets all requests and answers, except of joint tasks that are due already.
   void begin_anew();
-  /// Asks for it.
+  /// Asks to load the joint task.
   void load(const Entry& entry);
-  /// The executive wants it carried out, or interrupted: what cannot be is aborted.
+  /// The executive wants a joint task carried out or interrupted; reports it aborted if it cannot
+  /// be carried out.
   void due(const JointTaskDue& input);
-  /// True when it is to start at another time than was planned, which is in the book now.
+  /// Takes an answer into the book. True when the agreed start differs from the planned one.
   bool answered(const JointTaskAnswered& input);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closed air and how near to it one is: volumes grown by what a vehicle strays.
+// Distances to closed air, and volumes of it grown by a margin.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace skein::supervisor {
 
-/// In the volume, or nearer to it than `margin`, horizontally and vertically.
+/// Whether `at` is in the volume, or nearer to it than `margin` [m], horizontally and vertically.
 bool is_near(const world::Volume& volume, const world::Vector3& at, double margin);
 
-/// The volume and all that is nearer to it than `margin` [m], and the hull of that: a corner
-/// reaches at most 4 % further. Cost: O(corners log corners).
+/// The convex hull of the volume grown by `margin` [m]; a corner reaches at most 4 % further. Cost:
+/// O(corners log corners).
 world::Volume grown(const world::Volume& volume, double margin);
 
 }  // namespace skein::supervisor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does a flight, as a vehicle really flies it, come near closed air?
+// Whether simulated flights along a way come near closed air.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,19 @@
 
 namespace skein::supervisor {
 
-/// How flights are looked at: nearer than `margin` [m] is too near; one that hovers flies so many
-/// times with errors and gusts, too.
+/// What counts as near, and which flights are simulated.
 struct Closeness {
-  double margin = 0;
-  std::uint64_t shaken = 0;
+  double margin = 0;         ///< closer than this to a volume is too near [m]
+  std::uint64_t shaken = 0;  ///< additional flights with errors and gusts, if the vehicle hovers
 };
 
-/// Some flight along the way, whichever way the vehicle comes to where that begins, or its circles
-/// at the end come too near; those that begin too near do not count. Of less than two points: none.
-/// Cost: at most nine flights, 0.1 µs for each 0.1 s of them.
+/// Whether any simulated flight along the way, from any pose at its beginning, or the waiting
+/// circles at its end come too near to a volume. Flights that begin too near do not count; a way of
+/// fewer than two points has none. Cost: at most nine flights, 0.1 µs for each 0.1 s of them.
 bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& volumes,
                   const world::VehicleModel& vehicle, const world::Wind& wind,
                   const Closeness& closeness);
-/// Likewise, of a vehicle that begins in one of these poses.
+/// The same for flights that begin in one of `poses`.
 bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& volumes,
                   const world::VehicleModel& vehicle, const world::Wind& wind,
                   const Closeness& closeness, const std::vector<Pose>& poses);

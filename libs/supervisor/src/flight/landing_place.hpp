@@ -9,15 +9,16 @@
 
 namespace skein::supervisor {
 
-/// Why it cannot land there, with all that it may be off by: the ground (landing_ground.hpp), or a
-/// volume of air that is closed at some time of `when` between the ground and where it comes from.
-/// Nothing when it can. Cost: of a landing_problem.
+/// Why the vehicle cannot land at `at`, considering its position errors: the ground
+/// (landing_ground.hpp), or a volume that is closed at some time in `when` above that place, up to
+/// the height from which the vehicle comes. Absent if it can land. Cost: that of checking the
+/// ground.
 std::optional<std::string> landing_problem(const Knowledge& knowledge, const world::World& world,
                                            world::TimeWindow when, const world::Vector3& at);
 
-/// `wanted` itself when it can land there, else the ground nearest to it where it can, of equals
-/// that nearest to `from`; nothing within 600 m: nothing. On the ground [m] ENU. Cost: some
-/// thousand landing problems at most.
+/// The landing place nearest to `wanted`, of equally near ones the nearest to `from`; `wanted`
+/// itself if the vehicle can land there. On the ground [m] ENU; absent: none within 600 m. Cost:
+/// some thousand calls of landing_problem() at most.
 std::optional<world::Vector3> landing_place(const Knowledge& knowledge, const world::World& world,
                                             world::TimeWindow when, const world::Vector3& from,
                                             const world::Vector3& wanted);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What it takes to come home: the energy that every plan leaves for it.
+// The energy that a vehicle needs in order to come home, which every plan leaves it.
 #pragma once
 
 #include <optional>
@@ -10,43 +10,44 @@
 
 namespace skein::supervisor {
 
-/// Kept free by every plan beside the reserve, for what flights take beyond what is expected; in
-/// flight a plan is given up when less than half of it is left. Fraction of what is held when full.
+/// Margin that every plan leaves above the reserve, for flights that take more energy than
+/// expected; in flight, a plan is given up when less than half of the margin is left. Fraction of
+/// the full capacity.
 inline constexpr double kSpareEnergy = 0.02;
 
-/// Where tasks leave it, in their order.
+/// Where the vehicle is after these tasks, carried out in order from `start`.
 Whereabouts after(Whereabouts start, const std::vector<mission::ElementaryTask>& tasks);
 
-/// Energies are fractions of what is held when full, as expected against the wind as believed, with
-/// a tenth on top for what is not foreseen of a way that nobody has planned: straight over the
-/// highest ground between, round closed air by half of its border, never less than the vehicle
-/// itself asks for (way_energy.hpp); then down to the ground. Zero for a vehicle whose model has no
-/// capacity or speed; infinite against a wind that it cannot fly against. Lifetime: refers to its
-/// arguments. Cost: O(terrain cells on the way + volumes).
+/// Estimates the energy of unplanned ways to a landing place, as fractions of the full capacity. A
+/// way goes straight over the highest ground between its ends, around closed air by half of its
+/// border, and down to the ground; in the believed wind, with a margin of 12 % (50 % for ground
+/// vehicles), but never less than the vehicle itself asks for (way_energy.hpp). Zero for a vehicle
+/// whose model has no capacity or speed; infinite against a wind that it cannot fly against.
+/// Lifetime: refers to its arguments. Cost: O(terrain cells on the way + volumes).
 class Retreat {
  public:
   Retreat(const Knowledge& knowledge, const world::World& world, MissionTime now)
       : knowledge_(knowledge), world_(world), now_(now) {}
-  /// One whose sums are no less than these and cost next to nothing, since nothing is flown in
-  /// thought: for who asks often, and mostly has plenty.
+  /// A variant with cheap upper bounds instead of simulated flights, for frequent checks while
+  /// there is plenty of energy.
   Retreat at_most() const {
     Retreat result = *this;
     result.at_most_ = true;
     return result;
   }
 
-  /// From a place in the air, to fly to a place on the ground and land there.
+  /// Energy to fly from a place in the air to a place on the ground and land there.
   double energy(const world::Vector3& from, const world::Vector3& to) const;
   double home(const world::Vector3& from) const { return energy(from, knowledge_.home); }
-  /// What is to be left where a plan ends: nothing on the ground.
+  /// Energy to come home from the end of a plan: zero on the ground.
   double after(const Whereabouts& end) const { return end.airborne ? home(end.position) : 0; }
-  /// To fly straight on, without margin.
+  /// Energy to fly along `way`, without margin.
   double flight(const std::vector<world::Vector3>& way) const;
-  /// To go down to the ground from there.
+  /// Energy to descend from `from` to the ground.
   double descent(const world::Vector3& from) const;
 
-  /// Where to land coming from there with so much above the reserve: nothing: at home; else the
-  /// nearest ground that serves.
+  /// The nearest suitable landing place, if the energy `left` above the reserve is not enough to
+  /// come home from `from`; absent: it is enough, or there is no such place.
   std::optional<world::Vector3> instead_of_home(const world::Vector3& from, double left) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may be moved in an order of high-level tasks, and what may not.
+// Which tasks in an order of high-level tasks may be reordered.
 #pragma once
 
 #include <map>
@@ -11,15 +11,15 @@
 
 namespace skein::supervisor {
 
-/// What a high-level task means for the order of all.
+/// Constraint of a high-level task on its position in the order.
 enum class Role : std::uint8_t {
   kFree,
-  kTakesOff,  ///< makes nothing, or takes off, when asked for in the air: goes first
-  kWaits,     ///< lasts until orders come: goes after all that is free
+  kTakesOff,  ///< in the air its plan is empty or a takeoff: goes first
+  kWaits,     ///< lasts until orders come: goes after all free tasks
   kLands      ///< ends on the ground: goes last
 };
 
-/// Tells roles by what plans are made of, so that a domain may name its tasks as it likes. Each
+/// Finds roles by planning each task alone, so that a domain may name its tasks freely. Each task
 /// name is planned at most three times.
 class Roles {
  public:
@@ -36,22 +36,22 @@ class Roles {
   std::map<std::string, Known, std::less<>> by_name_;
 };
 
-/// A task with a place and those without one that were asked for after it: they stay behind it.
-/// Those that come before the first place of all stay before that.
+/// A task with a place, and the tasks without a place that follow it in the order asked for: they
+/// stay behind it. Tasks before the first one with a place form a block of their own.
 struct Block {
   Goals goals;
-  std::vector<refiners::Gate> gates;  ///< of the one with a place; empty: none has
-  /// Done with other UAVs, which may be asked for the same in the same order: keeps its turn among
-  /// those of its list; parts of a mapping do, too.
+  std::vector<refiners::Gate> gates;  ///< of the task with a place; empty: no task has one
+  /// Keeps its rank among the shared blocks of its list: tasks done with other UAVs, which may have
+  /// them in the same order, and parts of a mapping.
   bool shared = false;
   bool added = false;
 };
 using Blocks = std::vector<Block>;
 
-/// High-level tasks sorted by what may be moved.
+/// High-level tasks sorted by their roles.
 struct Movable {
   Goals takeoffs, waits, landings;
-  Blocks planned, added;  ///< free
+  Blocks planned, added;  ///< the free tasks
 
   bool none_is_free() const { return planned.empty() && added.empty() && waits.empty(); }
 };
@@ -60,9 +60,10 @@ Movable movable_of(const Goals& planned, const Goals& added, Roles& roles,
 
 /// Takeoffs, blocks, waits, landings.
 Goals order_of(const Movable& movable, const Blocks& blocks);
-/// Those of one list that are shared take the turns that an order gave them in their own order.
+/// Permutes the shared blocks of `list` in `order` among their positions, so that they come in the
+/// sequence that they have in `list`.
 void keep_shared(Blocks& order, const Blocks& list);
-/// The planned ones, then those added.
+/// The planned blocks, then the added ones.
 Blocks all_blocks(const Movable& movable);
 
 }  // namespace skein::supervisor

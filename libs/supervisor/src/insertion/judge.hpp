@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plans an order of high-level tasks and says whether the plan serves.
+// Plans an order of high-level tasks and judges whether the plan is feasible.
 #pragma once
 
 #include <functional>
@@ -12,50 +12,52 @@
 
 namespace skein::supervisor {
 
-/// What gives the plans of plan_tasks, or takes its place in tests.
+/// plan_tasks(), or its replacement in tests.
 using Planner =
     std::function<Result<mission::ElementaryPlan, PlanningFailure>(const PlanningRequest&)>;
-/// With what its plans have in common kept (planning/plans.hpp): for one job.
+/// A planner for one job that caches what its plans have in common (planning/plans.hpp).
 Planner real_planner();
 
 using Goals = std::vector<mission::HighLevelTask>;
 std::vector<mission::GoalId> ids_of(const Goals& goals);
 
-/// With semicolons between.
+/// Joined with semicolons.
 std::string in_one_line(const std::vector<std::string>& reasons);
 
-/// What is to be said of one order.
+/// The judgement of one order.
 struct Verdict {
-  bool serves = false;
-  std::optional<mission::ElementaryPlan> plan;  ///< may be there though it does not serve
-  Schedule schedule;                            ///< of what stands and the plan; without plan empty
-  double missing_energy = 0;                    ///< what the plan needs beyond what may be used
-  std::optional<mission::GoalId> culprit;       ///< that could not be refined, or comes too late
-  std::vector<Shortened> shortened;             ///< what it takes to serve
-  std::vector<std::string> reasons;             ///< why it does not serve, durations least
+  bool serves = false;                          ///< the plan is feasible
+  std::optional<mission::ElementaryPlan> plan;  ///< may be present though it is not feasible
+  Schedule schedule;                            ///< of the standing tasks and the plan; else empty
+  double missing_energy = 0;                    ///< beyond usable_energy() [fraction of capacity]
+  std::optional<mission::GoalId> culprit;       ///< the goal that has no plan, or is too late
+  std::vector<Shortened> shortened;             ///< durations shortened to make it feasible
+  std::vector<std::string> reasons;             ///< why it is infeasible, with least durations
 };
 
-/// A plan serves when it can be made, is dynamically controllable together with what stands, and
-/// needs no more energy, the way home from its end and something to spare with it (retreat.hpp),
-/// than is left above the vehicle's reserve. No order is planned twice; one that does not serve is
-/// with shorter durations (slack.hpp), as long as can be, where they may be.
+/// A plan is feasible ("serves") if it exists, is dynamically controllable together with the
+/// standing tasks, and its energy, including the way home from its end and a margin (retreat.hpp),
+/// is at most what is left above the vehicle's reserve. Verdicts are cached. An infeasible order is
+/// tried with shorter durations (slack.hpp) where these are ranges, and keeps the longest feasible
+/// ones.
 class Judge {
  public:
   /// Lifetime: `base` and `standing` must outlive it.
   Judge(const PlanningRequest& base, const Standing& standing, Planner planner)
       : base_(base), standing_(standing), planner_(std::move(planner)) {}
 
-  /// As that one, of other things that stand. Lifetime: as its base, and `standing`.
+  /// A copy with other standing tasks. Lifetime: as for `other`, and `standing` must outlive it.
   Judge(const Judge& other, const Standing& standing)
       : base_(other.base_), standing_(standing), planner_(other.planner_) {}
 
-  /// Valid as long as the judge. Of no tasks the plan is empty.
+  /// The verdict on an order; valid as long as the judge. The plan of an empty order is empty.
   const Verdict& of(const Goals& order);
-  /// What the planner makes of it, with all the energy there could be.
+  /// The plan of an order as if energy were unlimited.
   Result<mission::ElementaryPlan, PlanningFailure> plan_of(const Goals& order) const;
-  /// A plan for estimates only, without time constraints and with all the energy there could be.
+  /// A plan for estimates only: without time constraints, and as if energy were unlimited.
   std::optional<mission::ElementaryPlan> sketch(const Goals& order) const;
-  /// As sketch, of one task from the air, whatever is broken; `aside` of where it is [m].
+  /// The same for one task, begun in the air at `aside` [m] from the UAV's position, as if all
+  /// devices worked.
   std::optional<mission::ElementaryPlan> sketch_in_the_air(
       const mission::HighLevelTask& goal,
       const world::Vector3& aside = world::Vector3::Zero()) const;
@@ -63,7 +65,7 @@ class Judge {
   const PlanningRequest& base() const { return base_; }
   const Standing& standing() const { return standing_; }
   const Knowledge& knowledge() const { return *base_.knowledge; }
-  /// Fraction of what is held when full that a plan may use.
+  /// Energy that a plan may use, as a fraction of the full capacity.
   double usable_energy() const;
 
  private:

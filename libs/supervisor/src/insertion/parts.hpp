@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mapping flown in two parts, so that something else has its place between them.
+// A mapping flown in two parts, so that other tasks fit between them.
 #pragma once
 
 #include "insertion/blocks.hpp"
 
 namespace skein::supervisor {
 
-/// The first part of the mapping, with that share of its lanes. It may begin when the mapping may;
-/// the mapping comes after it, so that its latest dates are that one's too.
+/// The first part of the mapping, with that share of its lanes. It has the mapping's start_after
+/// and its bounds on starts after goals; the mapping comes after it, so that its latest dates bound
+/// both.
 mission::HighLevelTask part_of(const mission::HighLevelTask& mapping, mission::GoalId id,
                                double share);
-/// Of what is free to move, the mappings of which no part stands in the order yet.
+/// The free mappings of which no part is in the order yet.
 Goals whole_mappings(const Movable& movable);
-/// The same with the part right before its mapping.
+/// `movable` with the part inserted right before its mapping.
 Movable with_part(const Movable& movable, const mission::HighLevelTask& part);
-/// The blocks in their order, but what the part leaves behind the last of those behind it that have
-/// dates.
+/// The blocks in their order, except that the mapping of the part moves behind the last block after
+/// the part that has dates.
 Blocks rest_behind_dates(const Blocks& blocks, const mission::HighLevelTask& part);
-/// Something stands between the part and its mapping, behind it.
+/// Whether another task comes between the part and its mapping.
 bool parts_stand_apart(const Goals& order, const mission::HighLevelTask& part);
 
 }  // namespace skein::supervisor

@@ -9,21 +9,21 @@
 
 namespace skein::supervisor {
 
-/// Over a point of the map, as high as flights are; the point itself when that is higher.
+/// The place at usual flight altitude over a point on the ground; a point in the air itself.
 world::Vector3 over(const world::Vector3& point, const PlanningRequest& base);
-/// Where the UAV is, or, on the ground, where it will be once it has taken off.
+/// The UAV's position; if it is on the ground, its position after a takeoff.
 world::Vector3 in_the_air(const PlanningRequest& base);
-/// Over the landing place.
+/// The place at usual flight altitude over the landing place.
 world::Vector3 over_home(const PlanningRequest& base);
 
-/// Ways of visiting what the task is about: the point of a place or location; of several places
-/// every pair of them as entry and exit; of a zone without a place the corners where a sweep may
-/// begin. Empty: it has no place, or one that nobody knows. Cost: of a zone, a sweep each corner.
+/// Alternative entry and exit points of the task: for a place or location its point; for several
+/// places every pair of them; for a zone without a place the corners where a sweep may begin.
+/// Empty: the task has no place, or an unknown one. Cost: for a zone, one sweep per corner.
 std::vector<refiners::Gate> gates_of(const mission::HighLevelTask& goal,
                                      const PlanningRequest& base);
 
-/// True of what is done with other UAVs: synchronisations and joint tasks. Who waits for a partner
-/// in one of them while the partner waits in another waits for ever.
+/// True for tasks done with other UAVs: synchronisations and joint tasks. Two UAVs that have them
+/// in different orders would wait for each other for ever.
 bool is_shared(const mission::HighLevelTask& goal, const mission::Vocabulary& vocabulary);
 
 }  // namespace skein::supervisor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What high-level tasks may give of their durations, so that an order can be kept to.
+// Shortening of durations that are given as ranges, so that an order becomes feasible.
 #pragma once
 
 #include <vector>
@@ -8,24 +8,26 @@
 
 namespace skein::supervisor {
 
-/// The durations in an order that are given as ranges ("60..120"). Each gives the same part of what
-/// it may give.
+/// The durations in an order that are given as ranges ("60..120"). All are shortened by the same
+/// share of their range.
 class Slack {
  public:
   Slack(const Goals& order, const mission::Vocabulary& vocabulary);
 
-  /// No duration may be shorter.
+  /// No duration is a range.
   bool none() const { return ranges_.empty(); }
-  /// The order with durations of figures: at `share` 0 the longest, at kAll the shortest.
+  /// The order with numbers in place of ranges: the longest durations at `share` 0, the shortest at
+  /// kAll.
   Goals goals(int share) const;
-  /// What becomes of each that is shorter than its most.
+  /// The durations that are shorter than their maxima at `share`.
   std::vector<Shortened> shortened(int share) const;
 
-  /// The least share with which each gives kSpare more than with `share`, on average; kAll at most.
+  /// The least share at which durations are shorter by kSpare than at `share`, on average; at most
+  /// kAll.
   int with_some_to_spare(int share) const;
 
   static constexpr int kAll = 64;
-  /// What starts so much late breaks nothing [s].
+  /// Margin per duration, so that a start that is late by as much violates no constraint [s].
   static constexpr double kSpare = 5;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Orders tried one after another, of which the best is kept.
+// Tries orders one after another and keeps the best.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ class Trials {
  public:
   explicit Trials(Judge& judge) : judge_(judge) {}
 
-  /// Plans that order, unless it is known from before, and keeps it if it serves and
-  /// shortens less than the best so far, or as little and costs less.
+  /// Judges the order, and keeps it as the best if it is feasible and shortens durations by less
+  /// than the best so far, or by as much at less cost.
   const Verdict& run(mission::Placement placement, const Goals& order);
 
   struct Best {
@@ -26,7 +26,7 @@ class Trials {
   const std::optional<Best>& best() const { return best_; }
   const std::vector<Trial>& all() const { return trials_; }
   std::vector<Trial> take() { return std::move(trials_); }
-  /// Why none serves: of every trial, each once.
+  /// Why no order is feasible: the reasons of all trials, each once.
   std::vector<std::string> reasons() const;
 
  private:
@@ -37,8 +37,8 @@ class Trials {
   std::optional<Best> best_;
 };
 
-/// What each task takes, from a plan of all of them in that order without their constraints; when
-/// there is none, from plans of each alone.
+/// The sketch from a plan of `order` without time constraints; if there is no such plan, from plans
+/// of each task alone.
 Sketch sketch_of(const Judge& judge, const Goals& order);
 
 }  // namespace skein::supervisor

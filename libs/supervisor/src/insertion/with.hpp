@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operators 1 and 6 with a planner of one's choice: the seam of their tests.
+// Operators 1 and 6 with a replaceable planner, for tests.
 #pragma once
 
 #include "insertion/judge.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is to be planned, and the one job that plans.
+// The queue of planning work, and the job that runs.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct Pending {
   std::string cause;
   MissionTime since;
   int attempts = 0;
-  bool in_parts = false;  ///< what is done in parts may be interrupted for it
+  bool in_parts = false;  ///< a mapping under way may be interrupted between two parts for it
 };
 
 /// A mission that is only to be evaluated.
@@ -34,25 +34,25 @@ struct Evaluation {
   bool in_parts = false;  ///< as of Pending
 };
 
-/// Something happened to the plan that needs planning.
+/// The plan needs a repair.
 struct Need {
   std::optional<GoalId> failed;
-  bool refine = true;
-  bool behind = false;  ///< refined behind the others, where it can be
+  bool refine = true;   ///< `failed` may be refined again
+  bool behind = false;  ///< `failed` goes behind the other goals, if feasible
   std::string cause;
   MissionTime since;
   int attempts = 0;
-  bool home = false;  ///< even with nothing to plan: it must come down
-  MissionTime not_before = {};
+  bool home = false;            ///< the UAV must land, even if there is no goal to plan
+  MissionTime not_before = {};  ///< a pause after refusals
 };
 
 struct Job {
   std::uint64_t id = 0;
-  std::optional<mission::MissionId> mission;  ///< an insertion; else a repair
-  bool evaluation = false;                    ///< of a mission, that is not adopted
-  Need need;
+  std::optional<mission::MissionId> mission;  ///< to insert or evaluate; absent: a repair
+  bool evaluation = false;                    ///< the resulting plan is not adopted
+  Need need;                                  ///< of a repair
   Premises premises;
-  std::optional<mission::HighLevelTask> retreat;  ///< a goal of its own, if nothing else serves
+  std::optional<mission::HighLevelTask> retreat;  ///< the landing for RepairStep::kReturn
 };
 
 /// Missions to insert, missions to evaluate, at most one need of repair, at most one job. Lifetime:
@@ -65,53 +65,54 @@ class Agenda {
   const std::optional<Job>& job() const { return job_; }
   const std::deque<Pending>& pending() const { return pending_; }
   const std::deque<Evaluation>& evaluations() const { return evaluations_; }
-  /// The plan is being repaired, or is to be.
+  /// The plan is being repaired, or a repair is needed.
   bool repairing() const { return need_ || (job_ && !job_->mission); }
   bool repair_is_due() const { return !job_ && need_ && need_->not_before <= now(); }
-  /// A job makes a plan that may be adopted.
+  /// A job runs whose plan may be adopted.
   bool plans() const { return job_ && !job_->evaluation; }
 
   // ---- what is to be done ----
 
-  /// A repair: of this goal, refined from here or left out, and of all that is free. What is needed
-  /// already is needed for this cause too.
+  /// Asks for a repair: `failed` is refined again from here or dropped, the free goals are planned
+  /// anew. Merges with a repair that is needed already.
   void plan_anew(std::optional<GoalId> failed, bool refine, const std::string& cause);
-  /// What failed is refined behind the others, where it can be.
+  /// The needed repair puts the failed goal behind the others, if feasible.
   void put_behind();
-  /// The repair must bring it down, if it flies, even with nothing to plan.
+  /// The needed repair must make the UAV land if it flies, even if there is no goal to plan.
   void bring_down(bool flies);
-  /// It need not be tried before.
+  /// The needed repair is not started before `at`.
   void pause_until(MissionTime at);
-  /// No pause any more.
+  /// Ends such a pause.
   void hurry();
   Need take_need();
   void forget_need() { need_.reset(); }
   void add(Pending mission) { pending_.push_back(std::move(mission)); }
   void add(Evaluation evaluation) { evaluations_.push_back(std::move(evaluation)); }
-  /// Null: it does not wait.
+  /// The pending mission; null if it is not pending.
   const Pending* find(mission::MissionId id) const;
   Pending take(mission::MissionId id);
-  /// The one whose job is over.
+  /// Removes and returns the evaluation whose job is over.
   Evaluation take_evaluation();
-  /// It is to be planned, or evaluated, once more, and what is done in parts may be interrupted for
-  /// it. False: that was tried.
+  /// The job's mission is to be planned, or evaluated, once more with `in_parts`. False: it was
+  /// tried so already.
   bool try_in_parts(const Job& job);
 
   // ---- the job ----
 
-  /// The number that the next one will have.
+  /// The id of the next job.
   std::uint64_t next_job() const { return last_job_ + 1; }
   void run(Job job, DeliberationRequest request);
-  /// What it says when it comes back counts for nothing.
+  /// Stops the job; its result will be ignored.
   void abandon_job();
-  /// A repair is not kept waiting by an insertion, nor either of them by an evaluation: these are
-  /// begun again afterwards.
+  /// Abandons the job for more urgent work: an insertion for a repair, an evaluation for either of
+  /// them. The abandoned job is started again afterwards.
   void give_way();
-  /// The job whose result has come. Nothing: nobody waits for it.
+  /// The job whose result has come; absent if it was abandoned.
   std::optional<Job> finished(std::uint64_t id);
-  /// It is to be made again. False when it was tried so often that its result counts as none.
+  /// Schedules the job's work again. False when it was attempted too often: then it counts as
+  /// failed.
   bool again(const Job& job, const std::string& why);
-  /// Nothing is to be planned any more. Returns the missions that nobody will evaluate.
+  /// Drops all planning work. Returns the missions that will not be evaluated.
   std::deque<Evaluation> clear();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Needs become jobs, one at a time; a result whose premises no longer hold is made again.
+// Runs planning work as jobs, one at a time; repeats a job whose premises no longer hold.
 #pragma once
 
 #include "book/own_goals.hpp"
@@ -9,8 +9,8 @@
 
 namespace skein::supervisor {
 
-/// Writes requests of deliberation from the agenda, and takes their answers back. Lifetime: refers
-/// to what it works with.
+/// Makes deliberation requests from the agenda, and takes their results. Lifetime: refers to its
+/// Rooms.
 class Jobs {
  public:
   struct Rooms {
@@ -25,7 +25,7 @@ class Jobs {
   };
   explicit Jobs(const Rooms& rooms);
 
-  /// The most urgent of what is to be planned, when no job runs.
+  /// Starts the most urgent work of the agenda, if no job runs.
   void start();
   void finished(const JobFinished& input);
 

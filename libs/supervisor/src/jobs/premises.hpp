@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a job supposes of the plan and of the world.
+// The assumptions of a job about plan and world.
 #pragma once
 
 #include <cstdint>
@@ -15,30 +15,30 @@ namespace skein::supervisor {
 
 struct Premises {
   std::vector<TaskId> standing;
-  std::set<TaskId> withdrawn;  ///< to be told to stop when its result is applied
-  std::vector<GoalId> goals;   ///< planned anew
-  std::vector<GoalId> added;   ///< by operator 1
-  std::uint64_t world = 0;
-  std::set<std::string> broken;
+  std::set<TaskId> withdrawn;    ///< tasks to abort when the result is applied
+  std::vector<GoalId> goals;     ///< planned anew
+  std::vector<GoalId> added;     ///< goals inserted by operator 1
+  std::uint64_t world = 0;       ///< Beliefs::revision()
+  std::set<std::string> broken;  ///< devices
   TaskId next_id;
-  std::optional<world::Vector3> position;  ///< where it is, when nothing moves it
+  std::optional<world::Vector3> position;  ///< the vehicle's [m, ENU], if no standing task moves it
 };
 
-/// Of a plan for all that is free and for the goals of these tasks, which it takes the place of.
+/// The premises of a job that plans all free goals and the goals of the tasks `withdrawn`, which
+/// its plan replaces.
 Premises premises_of(const Book& book, const Beliefs& beliefs,
                      const std::set<TaskId>& withdrawn = {});
 
-/// What an urgent mission interrupts: what is in hand, but no takeoff and no landing that has
-/// begun, and nothing that the ground decides on.
+/// The tasks that an urgent mission interrupts: all in hand, except those of goals that have a
+/// takeoff or a landing under way, or that were handed over to the ground.
 std::set<TaskId> urgently_interrupted(const Book& book);
 
-/// What is in hand when a task of which parts count is under way: a device that perceives along a
-/// way, with what comes behind it. Interrupted it loses nothing but the way there and back. Empty:
-/// there is none.
+/// The tasks in hand, if one of them is a perception along a way that is under way and can be
+/// interrupted and resumed (at the cost of the way there and back); else empty.
 std::set<TaskId> interrupted_between_parts(const Book& book);
 
-/// A result that supposed `then` is of use `now`: nothing new is there, what is missing has ended
-/// well, nothing else is otherwise.
+/// Whether a result with the premises `then` may be applied `now`: no task is new, missing tasks
+/// have ended well, all else is unchanged.
 bool hold(const Premises& then, const Premises& now, const Book& book);
 
 }  // namespace skein::supervisor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results of jobs are applied: a plan is adopted, or it is said that there is none.
+// Applies results of jobs: adopts a plan, or reports that there is none.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace skein::supervisor {
 
-/// Of jobs whose premises hold. Lifetime: refers to what it works with.
+/// For jobs whose premises hold. Lifetime: refers to its Rooms.
 class Results {
  public:
   struct Rooms {
@@ -29,7 +29,7 @@ class Results {
 
   void finish(const Job& job, const InsertionOutcome& outcome);
   void finish(const Job& job, const RepairOutcome& outcome);
-  /// Nothing of it is kept.
+  /// Reports the outcome; the plan is not adopted.
   void answer_evaluation(const Job& job, const InsertionOutcome& outcome);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state that a plan starts from: when what the executive keeps is over. Source: spec 3.3.
+// The initial state of a plan: after the tasks that the executive keeps. Source: spec 3.3.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,9 @@
 
 namespace skein::supervisor {
 
-/// What a task does to where the vehicle is. One that does not end in the air or on the ground by
-/// itself leaves it there where it was: a wait on the ground is no flight.
+/// Applies the effect of a task on position and `airborne`. A task type that does not define
+/// whether it ends in the air or on the ground leaves that as it was: a wait on the ground is no
+/// flight.
 void move(const mission::ElementaryTask& task, Situation& at);
 
 /// Lifetime: refers to its arguments.
@@ -21,11 +22,11 @@ class Situations {
   Situations(std::shared_ptr<const Knowledge> knowledge, const Beliefs& beliefs, const Book& book)
       : knowledge_(std::move(knowledge)), beliefs_(beliefs), book_(book) {}
 
-  /// Without tasks: knowledge, world, and the situation after what stands, when `withdrawn` is told
-  /// to stop.
+  /// A request without tasks: knowledge, world, and the situation after the standing tasks,
+  /// assuming that the tasks `withdrawn` are told to abort now.
   PlanningRequest base_request(const Standing& standing, const std::set<TaskId>& withdrawn,
                                std::uint64_t seed, MissionTime now) const;
-  /// Where the last task that the executive keeps, of those that move it, leaves it.
+  /// The place where the last standing task that moves the vehicle leaves it.
   Situation place_after(const Standing& standing) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A planning domain read and compiled, with all it stands on.
+// A planning domain, read and compiled, with its term store.
 #pragma once
 
 #include <memory>
@@ -11,11 +11,11 @@
 
 namespace skein::supervisor {
 
-/// For searches one after another: terms are shared among domain, problems and plans. Not movable:
-/// what is compiled points into it.
+/// Serves one search after another: domain, problems and plans share one term store. Not movable,
+/// since the compiled domain points into it.
 class DomainBook {
  public:
-  /// What is wrong is in errors().
+  /// Errors of the domain are in errors().
   DomainBook(const DomainText& text, const htn::Functions& functions);
   DomainBook(const DomainBook&) = delete;
   DomainBook& operator=(const DomainBook&) = delete;

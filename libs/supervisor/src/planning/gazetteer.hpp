@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which piece of the world a term of a domain names.
+// Looks up the places, zones and devices that terms of a domain name.
 #pragma once
 
 #include <memory>
@@ -11,17 +11,17 @@
 
 namespace skein::supervisor {
 
-/// Names are found whatever the case of their letters, since the planner's symbols have none; one
-/// with the same letters exactly comes first. `home` and `zero` are where the UAV lands, unless
-/// the world has places of these names.
+/// Names match regardless of case, since the planner's symbols ignore case; an exact match comes
+/// first. `home` and `zero` are the UAV's landing place, unless the world has places of these
+/// names.
 class Gazetteer {
  public:
   Gazetteer(std::shared_ptr<const Knowledge> knowledge, std::shared_ptr<const world::World> world);
 
-  /// As that UAV of the team plans in the same world.
+  /// The gazetteer of another UAV of the team in the same world.
   Gazetteer of(const std::string& uav) const;
 
-  /// Of a name, or of (loc X Y Z). What lies under the ground counts as on it.
+  /// The place of a name, or of (loc X Y Z) [m, ENU]; a place under the ground is raised to it.
   std::optional<world::Vector3> place(const htn::TermStore& store, htn::Term term) const;
   const world::Zone* zone(const std::string& name) const;
   const world::SensorModel* sensor(const std::string& device) const;
@@ -29,11 +29,12 @@ class Gazetteer {
   double ground(const world::Vector3& at) const {
     return world_->terrain.elevation(at.x(), at.y());
   }
-  /// True of what lies on the ground: a thing to look at, not a place to fly to.
+  /// Whether the place is on the ground: an object to look at, not a place to fly to.
   bool on_ground(const world::Vector3& at) const;
-  /// At the usual altitude over it; of a vehicle that drives, on it.
+  /// The place at usual flight altitude over `at`; for a ground vehicle, the ground there.
   world::Vector3 above(const world::Vector3& at) const;
-  /// The place itself if it is in the air, and the vehicle flies.
+  /// Where a motion to `at` leads: `at` itself if it is in the air and the vehicle flies, else
+  /// above(at).
   world::Vector3 flown_to(const world::Vector3& at) const {
     return on_ground(at) || knowledge_->vehicle.ground ? above(at) : at;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a planning domain names, and what it was refused.
+// Name look-ups of a planning domain, and the refusals that it was given.
 #pragma once
 
 #include <optional>
@@ -17,11 +17,11 @@ namespace skein::supervisor {
 using HostArguments = std::span<const htn::Term>;
 using HostValue = Result<htn::Term, Failure>;
 
-/// Within which a vehicle counts as being at a place [m]: what it wavers and, when it cannot hover,
-/// its circle.
+/// Distance within which a vehicle counts as being at a place [m]: its tracking error and, if it
+/// cannot hover, its waiting circle.
 double vicinity(const Gazetteer& gazetteer);
 
-/// The gazetteer for terms; a name that it does not have is refused in words. Thread rule: one
+/// The gazetteer, with a record of refusals; an unknown name is refused in words. Thread rule: one
 /// thread at a time.
 class HostNames {
  public:
@@ -29,11 +29,11 @@ class HostNames {
 
   const Gazetteer& gazetteer() const { return gazetteer_; }
   std::optional<world::Vector3> place(const htn::TermStore& store, htn::Term term);
-  /// nil, and the sentence is kept.
+  /// Records the sentence; returns nil.
   htn::Term refuse(const std::string& why);
-  /// Each once, in the order they came.
+  /// The refusals since begin(), each sentence once, in order.
   const std::vector<std::string>& refusals() const { return refusals_; }
-  /// Each time it was said, since the last begin().
+  /// The refusals since begin(), with repetitions.
   const std::vector<std::string>& said() const { return said_; }
   void begin() {
     refusals_.clear();

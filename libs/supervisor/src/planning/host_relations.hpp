@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of the host that need no refiner: where it is, who is who, whether it is in time.
+// Functions of the host that need no refiner: relations of places, of UAVs, and of times.
 #pragma once
 
 #include "planning/host_names.hpp"
@@ -20,7 +20,7 @@ class HostRelations {
   HostValue with_me(htn::TermStore& store, HostArguments arguments);
   HostValue in_time(htn::TermStore& store, HostArguments arguments);
 
-  /// Of lists of names, and this UAV, in the order of the team.
+  /// The UAVs named in `lists`, and this UAV, in the order of the team.
   std::vector<std::string> who_meet(const htn::TermStore& store, HostArguments lists) const;
 
  private:

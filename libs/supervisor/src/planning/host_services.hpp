@@ -17,18 +17,18 @@
 
 namespace skein::supervisor {
 
-/// When a term says that it begins: an interval; after the word `suited` at a moment of it that
-/// suits. Anything else is any time.
+/// The departure that a term states: an interval, or the word `suited` and an interval
+/// (Departure::suited). Any other term: any time.
 Departure departure(const htn::TermStore& store, htn::Term when);
-/// Of an answer of a refiner; empty, or nothing, of what is none.
+/// Way and duration in an answer of a refiner; empty, or absent, for other terms.
 refiners::Way way_of(const htn::TermStore& store, htn::Term answer);
 std::optional<Seconds> duration_of(const htn::TermStore& store, htn::Term answer);
 
 /// Every answer of a refiner is
 ///   ((destination LOC) (duration LEAST MOST) (energy E) (cost C) (params (NAME VALUE…)…)),
-/// with (aim ((target LOC))) before the params where a device is to be aimed at something; a
-/// refusal is nil and a sentence in refusals(). A wrong argument is a failure: an error of the
-/// domain. Thread rule: one thread at a time, with one store of terms.
+/// with (aim ((target LOC))) before the params if a device is to be aimed at a target; a refusal is
+/// nil, and a sentence in refusals(). A wrong argument is an error of the domain, and a failure.
+/// Thread rule: one thread at a time, with one store of terms.
 class PlannerHost::Services {
  public:
   using Arguments = HostArguments;
@@ -38,8 +38,8 @@ class PlannerHost::Services {
     const char* name;
     std::size_t arguments;
     Service service;
-    bool refines;          ///< remembered, counted
-    std::size_t when = 0;  ///< which argument says when, if any
+    bool refines;          ///< calls a refiner: its answers are cached and counted
+    std::size_t when = 0;  ///< index of the argument with the departure; 0: none
   };
   static std::span<const Entry> table();
   static const Entry& entry_of(Service service);
@@ -100,7 +100,7 @@ class PlannerHost::Services {
                              std::size_t count, htn::Term when, htn::Term seconds);
 
   const Gazetteer& gazetteer() const { return names_.gazetteer(); }
-  /// As a plain function of the services: their own, or of the relations.
+  /// Wraps a member function of Services or of HostRelations as a plain function.
   template <auto kMember>
   static Value ask(Services& services, htn::TermStore& store, Arguments arguments) {
     if constexpr (std::is_same_v<decltype(kMember),
@@ -114,7 +114,7 @@ class PlannerHost::Services {
   Refinery refinery_;
   HostNames names_;
   HostRelations relations_;
-  /// What a refiner answered, and what it refused in doing so.
+  /// A cached answer of a refiner, with the refusals that it recorded.
   struct Known {
     htn::Term value;
     std::vector<std::string> said;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What joint tasks of a plan name to partners.
+// Makes names in joint tasks of a plan intelligible to partners.
 #pragma once
 
 #include <functional>
@@ -12,11 +12,11 @@
 
 namespace skein::supervisor {
 
-/// As the world has them [m] ENU.
+/// Places of the world by name [m] ENU.
 using Places = std::map<std::string, world::Vector3, std::less<>>;
 
-/// Spells the places that joint tasks name as the world does, and says who gathers for each: the
-/// members are the parameter that names UAVs of the team.
+/// In each joint task of the plan, restores the world's spelling of place names, and sets the
+/// gathering; its members are the parameter that names UAVs of the team.
 void know_partners(mission::ElementaryPlan& plan, const Places& places,
                    const std::vector<std::string>& team);
 

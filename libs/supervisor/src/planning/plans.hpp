@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plans made one after another: what one of them reads and refines serves the next.
+// Planning with caches: domain and refinements of one plan serve the next.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace skein::supervisor {
 
-/// The plans and failures of plan_tasks for requests one after another. The domain is read and
-/// compiled once; what refiners answered from one origin in one world is kept until the job ends,
-/// for the next request that is of the same. Thread rule: one thread at a time. Cost: of a plan
-/// like one before mostly that of the search; some megabytes at most are kept between jobs.
+/// Gives the same plans and failures as plan_tasks. The domain is compiled once; refiners' answers
+/// are cached until the job ends, for requests with the same origin and world. Thread rule: one
+/// thread at a time. Cost: for a plan similar to an earlier one mostly the search; some megabytes
+/// at most are kept between jobs.
 class Plans {
  public:
   Plans();
@@ -23,7 +23,7 @@ class Plans {
 
   Result<mission::ElementaryPlan, PlanningFailure> plan(const PlanningRequest& request,
                                                         PlanningEffort* effort = nullptr);
-  /// What comes next is of another situation: of the answers of refiners none is kept.
+  /// The next request has another situation: drops the cached answers of refiners.
   void end_job();
 
  private:
@@ -32,10 +32,10 @@ class Plans {
   Shelf& shelf_for(const DomainText& domain);
   Workplace& workplace_for(const PlanningRequest& request);
 
-  /// Of terms, between jobs [bytes]; more than that is begun anew.
+  /// Term store kept between jobs [bytes]; if it is larger, the domain is compiled anew.
   static constexpr std::size_t kMostKept = std::size_t{1} << 20U;
-  /// Inferences of one job; after so many it is begun anew. Not by memory: how often a job asks for
-  /// the time must not depend on what was planned before it (a restarted node does jobs again).
+  /// Inferences of one job after which the domain is compiled anew. Not a bound on memory: how
+  /// often a job polls the clock must not depend on earlier jobs (a restarted node repeats jobs).
   static constexpr std::uint64_t kMostEffort = 2'000'000;
 
   std::uint64_t effort_of_job_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A situation and high-level tasks as a problem of the planner.
+// The planner's problem from a situation and high-level tasks.
 #pragma once
 
 #include "skein/htn/domain.hpp"
@@ -7,8 +7,8 @@
 
 namespace skein::supervisor {
 
-/// In terms of the store, in the form of the seeds: what the domain asks of the initial state
-/// (docs/comets-domain.md), and the tasks in their order. Times are seconds since the origin.
+/// The problem in terms of `store`, in the form of the seeds: the initial state that the domain
+/// asks for (docs/comets-domain.md), and the tasks in order. Times are seconds since the origin.
 htn::Problem problem_of(const PlanningRequest& request, htn::TermStore& store);
 
 }  // namespace skein::supervisor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of the host as terms of the planner, and back. Locations are (loc X Y Z) [m].
+// Conversions between values of the host and terms of the planner. Locations: (loc X Y Z) [m].
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace skein::supervisor {
 
-/// Of a symbol or a string; of a number its figures; empty for lists.
+/// The text of a symbol, a string or a number; empty for lists.
 std::string text_of(const htn::TermStore& store, htn::Term term);
 std::optional<double> number_of(const htn::TermStore& store, htn::Term term);
 std::optional<world::Vector3> location_of(const htn::TermStore& store, htn::Term term);
@@ -22,9 +22,9 @@ struct Seconds {
   double least = 0, most = 0;
 };
 std::optional<Seconds> seconds_of(const htn::TermStore& store, htn::Term term);
-/// Those of a list that are locations.
+/// The elements of a list that are locations.
 std::vector<world::Vector3> locations_of(const htn::TermStore& store, htn::Term list);
-/// What 'x is read as: x; other terms as they are.
+/// x for the quoted term 'x; other terms unchanged.
 htn::Term unquoted(const htn::TermStore& store, htn::Term term);
 
 htn::Term number_term(htn::TermStore& store, double value);
@@ -32,7 +32,7 @@ htn::Term location_term(htn::TermStore& store, const world::Vector3& at);
 /// (HEAD item…).
 htn::Term headed(htn::TermStore& store, std::string_view head, std::vector<htn::Term> items);
 
-/// The same letters whatever their case.
+/// Equality regardless of case.
 bool same_name(std::string_view a, std::string_view b);
 /// ((target LOC)).
 htn::Term target_term(htn::TermStore& store, const world::Vector3& at);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the partners of a synchronisation wait for each other: each reckons the places of all of
-// them, alike and without asking.
+// Waiting places of the partners of a synchronisation: each partner computes all of them, with the
+// same result and without communication.
 #pragma once
 
 #include <map>
@@ -19,26 +19,27 @@ class Meetings {
   Meetings& operator=(const Meetings&) = delete;
 
   struct Devices {
-    std::string own;                 ///< what this UAV looks with
-    std::vector<std::string> order;  ///< others look with the first that is theirs and sees
+    std::string own;                 ///< the device that this UAV looks with
+    std::vector<std::string> order;  ///< partners look with the first that they have and that sees
   };
   struct Gathering {
     Spot own;
-    std::vector<Spot> others;  ///< those that find a place, in the order of the names
+    std::vector<Spot> others;  ///< of partners for which a place was found, in the order of `names`
   };
-  /// Of all who meet, this UAV among them, in the order that all of them have.
+  /// The waiting places for a meeting at `place`. `names`: all UAVs that meet, including this one,
+  /// in an order common to all.
   ///
-  /// A place in the air is left free, for whoever comes there with another task: they wait around
-  /// it, each in a direction by its rank, so far from it and from each other that nobody's circles
-  /// and what he wavers meet another's, or over each other where there is no room for that. A place
-  /// on the ground is looked at by each from the best side that those before leave room for. Each
-  /// is taken for what it is (Knowledge::partners), with all its devices working. Cost: a viewpoint
-  /// and an airspace for each.
+  /// A place in the air itself is left free for UAVs with other tasks there: the partners wait
+  /// around it, each in a direction by its rank, so far apart that their circles and tracking
+  /// errors do not overlap; or above each other if there is no room for that. At a place on the
+  /// ground, each UAV in turn gets the best viewpoint for which the earlier ones leave room.
+  /// Partners have their own vehicle models (Knowledge::partners), with all devices working. Cost:
+  /// a viewpoint and an airspace for each UAV.
   Answer<Gathering> at(const world::Vector3& place, const std::vector<std::string>& names,
                        const Devices& devices, const Departure& when);
 
  private:
-  /// One of them, and how it sees air and places.
+  /// One of the UAVs, with its own air and views; `room`: distance that others keep from it [m].
   struct Party {
     TimedAir& air;
     Views& views;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What planning gets from the refiners, and when it may begin.
+// A refined motion, and the interval in which it may begin.
 #pragma once
 
 #include <limits>
@@ -12,36 +12,36 @@
 
 namespace skein::supervisor {
 
-/// A motion with all that a task is made of.
+/// A motion, with the data of its elementary task.
 struct Motion {
-  refiners::Way way;  ///< where it begins and all that is flown to
+  refiners::Way way;  ///< starting position and way-points
   Times times;
-  double energy = 0;                  ///< expected, as a fraction of what is held when full
-  std::optional<world::Vector3> aim;  ///< what its device is to be aimed at meanwhile
-  double seen = 1;                    ///< of a sweep, least part of the zone
+  double energy = 0;                  ///< expected, as a fraction of the full capacity
+  std::optional<world::Vector3> aim;  ///< target at which its device is to be aimed meanwhile
+  double seen = 1;                    ///< for a sweep: least part of the zone that is seen, [0, 1]
 };
 
 /// When a motion may begin, after the plan's origin [s]; `most` may be infinite.
 struct Departure {
   double least = 0, most = std::numeric_limits<double>::infinity();
-  /// At one of these moments that suits, which is found later: only air that is closed during all
-  /// of them counts.
+  /// The departure will be chosen within the interval later: only volumes that are closed during
+  /// all of it count.
   bool suited = false;
 
-  /// Of what begins when something else, begun then, is over.
+  /// The departure of a motion that follows one of duration `times` with this departure.
   Departure after(const Times& times) const {
     return {least + times.least, most + times.most, suited};
   }
   Departure after(double seconds) const { return {least + seconds, most + seconds, suited}; }
 };
 
-/// Where somebody waits, and how near to that nobody else comes [m].
+/// A waiting place of a UAV, and the radius around it that others keep out of [m].
 struct Spot {
   world::Vector3 at = world::Vector3::Zero();
   double room = 0;
 };
 
-/// Sentences say why not.
+/// The error is a sentence.
 template <class Value>
 using Answer = Result<Value, std::string>;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What setting out at a moment leads to, and whether waiting leads further.
+// Whether to wait for closed air to open: compares setting out now with setting out later.
 #pragma once
 
 #include <functional>
@@ -17,22 +17,23 @@ class Outlook {
   Outlook(TimedAir& air, Ways& ways, Patrols& patrols, Sweeps& sweeps)
       : air_(air), ways_(ways), patrols_(patrols), sweeps_(sweeps) {}
 
-  /// Least is best.
+  /// Expected result of setting out; less is better, `unseen` first.
   struct Prospect {
     double unseen = 0;  ///< part of a zone, if any
     double seconds = std::numeric_limits<double>::infinity();
     bool beats(const Prospect& other) const;
   };
   using Venture = std::function<Prospect(const Departure&)>;
-  /// How long to wait in place before setting out, so that air which is closed for a time is open
-  /// again [s]; nothing when setting out at once is possible and leads no less far, or waiting is
-  /// not. `from` on the ground: there.
+  /// How long to wait at `from`, in the air or on the ground, until temporarily closed air is open
+  /// again, if that gives a better prospect than setting out at once [s]; absent: it does not, or
+  /// waiting there is impossible.
   std::optional<double> worth_waiting(const world::Vector3& from, const Departure& when,
                                       const Venture& venture) const;
-  /// To fly there, from the ground after a takeoff, and stay for some seconds.
+  /// The prospect of flying to `to`, from the ground after a takeoff, and staying for `stay` [s].
   Prospect of_way(const world::Vector3& from, const world::Vector3& to, double stay,
                   const Departure& when);
-  /// To fly there and have the zone in sight; and to fly to a sweep, or what is left of one.
+  /// The prospects of flying to a patrol over the zone, to a sweep, and to the rest of a sweep, and
+  /// carrying it out.
   Prospect of_patrol(const world::Vector3& from, const world::Vector3& to, const world::Zone& zone,
                      const world::SensorModel& device, double seconds, const Departure& when);
   Prospect of_sweep(const world::Vector3& from, const world::Zone& zone,
@@ -46,10 +47,11 @@ class Outlook {
     Departure then;
     double seconds = 0;  ///< expected, since setting out
   };
-  /// After a takeoff when it is on the ground; nothing when there is no way then.
+  /// The flight to `to`, after a takeoff if the vehicle is on the ground; absent: there is no way
+  /// then.
   std::optional<Arrival> arrival(const world::Vector3& from, const world::Vector3& to,
                                  const Departure& when);
-  /// To fly to where a motion over a zone begins, and that.
+  /// The prospect of flying to the beginning of a motion over a zone and carrying it out.
   Prospect of_pattern(const world::Vector3& from, const Answer<Motion>& motion,
                       const Departure& when);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Having a zone in sight for some time, judged by how the autopilot will fly it.
+// Patrols that keep a zone in view for a given time, verified by simulated flights.
 #pragma once
 
 #include <optional>
@@ -13,9 +13,9 @@ class Patrols {
  public:
   Patrols(TimedAir& air, const Ways& ways) : air_(air), ways_(ways) {}
 
-  /// As long as it takes to come there from where it is and, after that, to have the zone in sight
-  /// for so many seconds; at that height. A head that can be aimed is aimed at the middle of a zone
-  /// that is too small to be seen ahead.
+  /// A motion from `from` to the zone and over it, at the height of `from`, until the device has
+  /// had the zone in view for `seconds`. A device that can be aimed is aimed at the middle of a
+  /// zone that is too small to be seen ahead.
   Answer<Motion> over(const world::Vector3& from, const world::Zone& zone,
                       const world::SensorModel& device, double seconds, const Departure& when = {});
 
@@ -24,12 +24,12 @@ class Patrols {
   const Gazetteer& gazetteer() const { return air_.gazetteer(); }
   const world::World& world() const { return air_.world(); }
   const world::VehicleModel& vehicle() const { return air_.vehicle(); }
-  /// Where a device looks from a height: a disc on the ground, some metres ahead [m]; or what it is
-  /// aimed at, from within `reach`.
+  /// What a device sees from a height: a disc on the ground, `ahead` of the vehicle [m]; or `aim`,
+  /// from within `reach` [m].
   struct Look {
     double ahead = 0, reach = 0;
     std::optional<world::Vector2> aim;
-    double width = 0;  ///< of what is seen from that height at once
+    double width = 0;  ///< of the area that is in view at once [m]
   };
   class Sight;
   static Look look_of(const world::SensorModel& device, double height, double footprint);
@@ -45,8 +45,8 @@ class Patrols {
                                 const world::Zone& zone, double footprint, double seconds) const;
   std::optional<refiners::Way> filled(const refiners::Way& way, const world::Zone& zone,
                                       const Look& look, double seconds, double& longer) const;
-  /// What is flown again and again over the middle of a zone too small for lanes: a circle, or for
-  /// one that hovers, where a circle has no room, to and fro.
+  /// Closed ways over the middle of a zone that is too small for lanes, to be repeated: a circle,
+  /// or to and fro for a vehicle that hovers where a circle has no room.
   std::vector<refiners::Way> rounds(const world::Vector3& from, const world::Zone& zone,
                                     double footprint, const Counted& air) const;
   std::optional<refiners::Way> again_and_again(const world::Vector3& from,

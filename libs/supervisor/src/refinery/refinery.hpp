@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The refiners as planning uses them: one airspace for all ways, durations as they are flown.
+// The refiners as planning uses them: with shared airspaces, and durations from simulated flights.
 #pragma once
 
 #include <utility>
@@ -10,7 +10,7 @@
 
 namespace skein::supervisor {
 
-/// One vehicle, one world, one plan's origin. Thread rule: one thread at a time.
+/// For one vehicle, one world and one origin of plans. Thread rule: one thread at a time.
 struct Refinery {
   Refinery(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed,
            refiners::Budget budget = {})

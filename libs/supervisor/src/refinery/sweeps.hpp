@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeing all of a zone, judged by how the autopilot will fly it.
+// Sweeps that see all of a zone, verified by simulated flights.
 #pragma once
 
 #include "refinery/ways.hpp"
@@ -7,35 +7,36 @@
 
 namespace skein::supervisor {
 
-/// Between two lanes of a vehicle whose device sees so far to each side, so that what lies between
-/// is seen in spite of what it strays [m]; `overlap`: for how many deviations.
+/// Distance between two lanes [m] for a device that sees `footprint` [m] to each side, so that the
+/// vehicle's tracking error leaves no gap; `overlap`: number of its standard deviations.
 double swath_of(double footprint, const world::VehicleModel& vehicle, double overlap = 1);
-/// The footprint for which it is that.
+/// The inverse of swath_of().
 double footprint_of(double swath, const world::VehicleModel& vehicle, double overlap);
-/// Of parts of a shared area: by less, gaps are left as a rule, and a lane more is flown than the
-/// division reckoned with.
+/// Overlap for parts of a shared area: with less, gaps usually remain, and more lanes are flown
+/// than the partition assumed.
 inline constexpr double kSharedOverlap = 3;
 
 class Sweeps {
  public:
   Sweeps(TimedAir& air, const Ways& ways) : air_(air), ways_(ways) {}
 
-  /// One that hovers is not brought back on its lanes where it swings out: parts of an area that is
-  /// shared, of which who flies where is agreed.
+  /// For parts of a shared area, whose lanes are agreed: a vehicle that hovers gets no extra
+  /// way-points that lead it back on a lane after it swung out.
   void let_swing() { swings_ = true; }
 
-  /// From its first lane on, and where it turns into that; the way there is not part of it, but it
-  /// is set out on `when`. As it will be flown all of the zone is seen, but for what lies in air
-  /// that is closed then.
+  /// The sweep from its first lane on, including the turn into that lane, but not the way to it;
+  /// `when` is the departure from `from`. In simulated flight all of the zone is seen, except what
+  /// lies in air that is closed then.
   Answer<Motion> over(const world::Vector3& from, const world::Zone& zone,
                       const world::SensorModel& device, const Departure& when = {}) const;
-  /// What is left of such a way: `device` sees at least as much from it as `before` did.
+  /// The remaining way of a sweep, for `device`, which must see at least as much as `before`, the
+  /// device that the lanes were made for.
   Answer<Motion> rest(const world::Vector3& from, const refiners::Way& way,
                       const world::SensorModel& device, const world::SensorModel& before,
                       const Departure& when = {});
 
-  /// Such a motion in two: what is flown first, to where it turns next to that share of its length,
-  /// and the way-points from there on. Nothing when it has no inner way-points to be parted at.
+  /// A sweep divided at the turn nearest to `share` of its length: the first motion, and the
+  /// way-points from there on. Absent: it has no inner way-points.
   struct Parts {
     Motion first;
     refiners::Way beyond;
@@ -48,9 +49,9 @@ class Sweeps {
   const world::VehicleModel& vehicle() const { return air_.vehicle(); }
   struct Lanes {
     refiners::Way way;
-    double seen = 0;  ///< least part of the zone, of all poses it may begin in
+    double seen = 0;  ///< part of the zone seen, the least over all initial poses
   };
-  /// `overlap`: of lanes, in deviations; `joins`: one that hovers is brought back on each lane.
+  /// `overlap`: as in swath_of(); `joins`: a vehicle that hovers is led back on each lane.
   struct Care {
     double overlap = 1;
     bool joins = false;

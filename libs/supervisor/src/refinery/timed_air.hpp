@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The air as it is closed over time, as one vehicle meets it.
+// Time-dependent closed air, from the point of view of one vehicle.
 #pragma once
 
 #include <functional>
@@ -16,96 +16,100 @@
 
 namespace skein::supervisor {
 
-/// What all parts of the refinery share: vehicle and world, and which volumes count when. Thread
-/// rule: one thread at a time.
+/// Shared by all parts of the refinery: vehicle, world, and which volumes count at which time.
+/// Thread rule: one thread at a time.
 class TimedAir {
  public:
   TimedAir(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed, refiners::Budget budget);
-  /// As that UAV of the team meets it.
+  /// The same air from the point of view of another UAV of the team.
   TimedAir of(const std::string& uav) const {
     return {gazetteer_.of(uav), origin_, seed_, budget_};
   }
 
-  /// What begins there, and at once, begins in flight with that heading [rad], or some seconds
-  /// later.
+  /// The vehicle is passing `from` now with that heading [rad]: a motion that begins there within
+  /// some seconds begins in flight.
   void flies_on(const world::Vector3& from, double heading);
-  /// Whether something does that begins then, if it is there: later it circles there before.
+  /// Whether a motion with this departure begins in flight; if it departs later, the vehicle
+  /// circles first.
   bool begins_in_flight(const Departure& when) const;
-  /// It is on the ground there.
+  /// The vehicle stands on the ground at `at`.
   void stands_at(const world::Vector3& at) { stand_ = at; }
-  /// Whether it has had no time to fly and land since: a landing of one that cannot hover ends
-  /// somewhere on its circle.
+  /// Whether the vehicle stands there still at departure, having had no time to fly and land. (A
+  /// landing of a vehicle that cannot hover ends somewhere on its circle.)
   bool still_stands(const Departure& when) const;
-  /// How far the climb of what takes off there then may lead it away from there [m].
+  /// Greatest horizontal distance from `from` during the climb of a takeoff there [m].
   double climb_radius(const world::Vector3& from, const Departure& when) const;
 
   const Gazetteer& gazetteer() const { return gazetteer_; }
   const world::World& world() const { return gazetteer_.world(); }
   const world::VehicleModel& vehicle() const { return gazetteer_.knowledge().vehicle; }
-  /// As ways are made for it: one that cannot hover is given the turns and climbs that it can still
-  /// hold when the wind is against them.
+  /// The model that ways are planned with: a vehicle that cannot hover has the turns and climbs
+  /// that it still achieves against the wind.
   const world::VehicleModel& cautious() const { return cautious_; }
   refiners::Setting setting(const refiners::PathPlanner* paths = nullptr) const;
   refiners::Setting setting(const world::World& world,
                             const refiners::PathPlanner* paths = nullptr) const;
   refiners::PathQuery query(const world::Vector3& from, const world::Vector3& to) const;
   MissionTime origin() const { return origin_; }
-  /// Kept from the ground [m].
+  /// Least height over the ground [m].
   double clearance() const;
-  /// How far it may be from where it means to be [m].
+  /// Bound on the deviation from the intended path [m].
   double stray() const;
-  /// How far it gets from where it waits: what it wavers, and circles that are joined [m].
+  /// Bound on the distance from a waiting place, while waiting and while joining the circle [m].
   double reach() const;
-  /// What corners and turns may take it off its way [m].
+  /// Bound on the deviation at corners and turns [m].
   double swing() const;
 
-  /// Some volume is closed for a part of the time from the origin on.
+  /// Whether some volume is closed only for a part of the time from the origin on.
   bool has_windows() const { return has_windows_; }
   world::TimeWindow window(const Departure& when, double seconds) const;
-  /// One, of each world.volumes: whether it counts.
+  /// For each of world().volumes, whether it counts.
   using Counted = std::vector<bool>;
-  /// Those that are closed at some time while a flight of so many seconds may be under way.
+  /// The volumes that are closed at some time while a flight of `seconds` may be under way; with
+  /// Departure::suited, only those that are closed all of that time.
   Counted counted(const Departure& when, double seconds) const;
   using Volumes = std::vector<world::Volume>;
   Volumes closed(const Counted& counted) const;
   Volumes closed() const;  ///< at any time from the origin on
-  /// Null, with a sentence, when the world makes no airspace for the vehicle. Volumes with a window
-  /// that is still to come, or to end, count.
-  /// Of a vehicle that drives: the map of the ground that it can drive on (driving.hpp).
+  /// The airspace without the volumes that count; without argument, without all that are closed at
+  /// some time from the origin on. For a ground vehicle: the map of drivable ground (driving.hpp).
+  /// Error: no airspace can be made for the vehicle in this world. Cached.
   Answer<const world::Airspace*> airspace();
   Answer<const world::Airspace*> airspace(const Counted& counted);
-  /// The world with a ground as fine as the footprint over the zone, and the closed air grown by
-  /// that margin, unless the vehicle is in what it strays into.
+  /// The world with a ground grid as fine as the footprint over the zone, and with closed volumes
+  /// grown by `margin` [m], unless `from` is within stray() of one.
   world::World over(const world::Zone& zone, const world::Vector3& from, double footprint,
                     double margin, const Counted& air) const;
 
-  /// Where that is in the airspace.
+  /// The point that stands for `at` in airspace(): for a ground vehicle, its point on the map.
   world::Vector3 in_airspace(const world::Vector3& at) const {
     return vehicle().ground ? refiners::on_map(at) : at;
   }
 
-  /// Whether it may wait there: closed air is further away than it strays from its place, or from
-  /// its circles.
+  /// Whether the vehicle may wait at `at`: closed air is further away than its tracking error, or
+  /// its waiting circle with that.
   bool has_room(const world::Vector3& at) const { return has_room(at, closed()); }
   bool has_room(const world::Vector3& at, const Volumes& volumes) const;
   const world::Volume* taking_room(const world::Vector3& at, const Volumes& volumes) const;
-  /// Free air, all around where it wavers or circles.
+  /// Whether the air at `at`, and all around where the vehicle may be while it waits, is free.
   bool may_stay(const world::Vector3& at);
-  /// Whether it may be there for so many seconds: free air around it all the time. On the ground
-  /// it may, unless it drives.
+  /// Whether the vehicle may be at `at` for so many seconds with free air around it all the time.
+  /// Always true on the ground, except for a ground vehicle.
   bool may_stay(const world::Vector3& at, const Departure& when, double seconds) const;
-  /// Likewise, but what is closed already does not count: it is known and will be left.
+  /// The same, but volumes that are closed at departure already do not count: the vehicle will
+  /// leave them.
   bool stays_open(const world::Vector3& at, const Departure& when, double seconds) const;
-  /// Whether a way can be flown then.
+  /// Whether no volume closes the way while it is flown.
   bool stays_open(const refiners::Way& way, const Departure& when) const;
   bool met(const refiners::Way& way, const Volumes& volumes) const {
     return met(way, volumes, stray());
   }
-  /// Whether some flight along the way comes nearer than `margin` [m].
+  /// Whether some simulated flight along the way comes nearer than `margin` [m] to a volume.
   bool met(const refiners::Way& way, const Volumes& volumes, double margin) const;
 
-  /// Planned so that it is clear of all that it can meet, which is the more the longer it takes;
-  /// what sets out `from` somewhere else flies to it first.
+  /// Plans a motion, by `plan`, that is clear of every volume that is closed at some time during
+  /// it. Repeats until the set of volumes is consistent with the motion's duration, including the
+  /// flight to its beginning from `from`.
   using Planner = std::function<Answer<Motion>(const Counted&)>;
   Answer<Motion> kept_clear(const world::Vector3& from, const Departure& when, double seconds,
                             const Planner& plan);
@@ -127,8 +131,8 @@ class TimedAir {
   refiners::Budget budget_;
   bool has_windows_ = false;
   std::optional<world::Vector3> stand_;
-  std::vector<Pose> in_flight_;  ///< in which what begins where it flies now may begin
-  bool in_flight_now_ = true;    ///< what is planned now may begin so
+  std::vector<Pose> in_flight_;  ///< possible initial poses of a motion that begins in flight
+  bool in_flight_now_ = true;    ///< whether the motion being planned may begin in flight
   std::map<Counted, world::Airspace> airspaces_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places: to look from, beside others, in the order of a tour.
+// Viewpoints, and tours over places.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@ class Views {
   explicit Views(TimedAir& air) : air_(air) {}
 
   using Constraints = std::vector<refiners::PlaceConstraint>;
-  /// Where that sensor sees the place best, from so many sides, when it sets out then and stays for
-  /// so many seconds; at places that keep the constraints.
+  /// The `count` best viewpoints of the device on `place`, from different sides, that satisfy the
+  /// constraints and where the vehicle may stay for `seconds` with this departure.
   Answer<std::vector<world::Vector3>> of(const world::Vector3& place,
                                          const world::SensorModel& device, std::size_t count,
                                          const Departure& when = {}, double seconds = 0,
@@ -24,7 +24,7 @@ class Views {
                                            const std::vector<world::Vector3>& places);
 
  private:
-  /// What a view from the ground is to keep to.
+  /// Requirements on viewpoints on the ground.
   struct Stands {
     std::size_t count;
     const world::Airspace& map;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Takeoffs, landings and ways through the air, or over the ground, lasting as long as they are
-// flown or driven.
+// Takeoffs, landings, and ways through the air or over the ground, with realistic durations.
 #pragma once
 
 #include <optional>
@@ -16,28 +15,28 @@ class Ways {
 
   Answer<Motion> takeoff(const world::Vector3& from, const Departure& when = {}) const;
   Answer<Motion> landing(const world::Vector3& from, const world::Vector3& to) const;
-  /// Where it lands that comes from there, and why not where it would.
+  /// A landing place, and why it is not the wanted one.
   struct Landing {
     world::Vector3 at;
-    std::string instead;  ///< empty: as wanted
+    std::string instead;  ///< empty: it is the wanted place
   };
   Answer<Landing> landing_place(const world::Vector3& from, const world::Vector3& wanted,
                                 const Departure& when = {}) const;
-  /// Clear of every volume that it can meet, whenever it departs then and however long it takes.
+  /// A way clear of every volume that is closed at some time while it may be flown.
   Answer<Motion> path(const world::Vector3& from, const world::Vector3& to,
                       const Departure& when = {}) {
     return path_among(from, to, {}, when);
   }
-  /// Likewise, around or over where others wait, if there is such a way: at places that are apart
-  /// (meetings.hpp). Who begins where one of them may wait leaves it first.
+  /// The same, and around or over the waiting places of others (meetings.hpp), if there is such a
+  /// way. A vehicle that begins within one of these leaves it first.
   Answer<Motion> path_among(const world::Vector3& from, const world::Vector3& to,
                             const std::vector<Spot>& others, const Departure& when);
-  /// Out of closed air by the shortest straight way to where it may stay: up, down, level, or level
-  /// and up.
+  /// Out of closed air by the shortest straight way to a place where the vehicle may stay: up,
+  /// down, level, or level and up.
   Answer<Motion> way_out(const world::Vector3& from);
   Answer<refiners::Way> through(const world::Airspace& air, const world::Vector3& from,
                                 const world::Vector3& to) const;
-  /// A way with the times and the energy that it takes.
+  /// The motion along `way`, with its times and its energy.
   Motion flown(refiners::Way way) const;
   /// Expected energy of so many seconds at one place.
   double energy_of_stay(double seconds) const;
@@ -53,11 +52,11 @@ class Ways {
                          const std::vector<Spot>& others = {});
   Answer<refiners::Way> through(const world::Airspace& air, const world::World& in,
                                 const world::Vector3& from, const world::Vector3& to) const;
-  /// Of a vehicle that keeps to the ground (drives.cpp).
+  /// path_in() for a ground vehicle (drives.cpp).
   Answer<Motion> drive(const world::Airspace& map, const Volumes& volumes,
                        const world::Vector3& from, const world::Vector3& to) const;
   Motion driven(refiners::Way way) const;
-  /// The air with rooms around where others wait, and where they may be then themselves.
+  /// The air with the others' waiting places closed, as airspace, world, and volumes.
   struct Crowd {
     world::Airspace air;
     world::World world;
@@ -76,7 +75,7 @@ class Ways {
   std::optional<refiners::Way> with_room(const world::Airspace& air, const Volumes& volumes,
                                          const world::Vector3& from, const world::Vector3& to,
                                          double margin) const;
-  /// From air that is closed, as when it was closed around the vehicle: out, and on from there.
+  /// A way that begins in closed air (which was closed around the vehicle): out of it first.
   Answer<Motion> out_and_on(const world::Vector3& from, const world::Vector3& to);
 
   TimedAir& air_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Zones as patterns over them need them.
+// Geometry of zones for patterns flown over them.
 #pragma once
 
 #include "refinery/motion.hpp"
@@ -13,14 +13,14 @@ struct Box {
 };
 Box box_of(const world::Polygon& polygon);
 
-/// Of its corners.
+/// Mean of the corners.
 world::Vector2 middle_of(const world::Polygon& polygon);
-/// Towards its middle [rad].
+/// Heading from `from` towards middle_of() [rad].
 double heading_to(const world::Vector3& from, const world::Polygon& polygon);
-/// A grid over the zone's box, as fine as the footprint, with the risks that are known.
+/// A grid over the zone's bounding box, as fine as `footprint` [m] asks for, with the known risks.
 world::GroundState ground_over(const world::Polygon& polygon, const world::GroundState& known,
                                double footprint);
-/// Radius of what a device that looks down sees from a height at once [m].
+/// Radius of the ground disc that a device looking down sees from a height [m]; error: none.
 Answer<double> footprint(const world::SensorModel& device, double height);
 
 }  // namespace skein::supervisor

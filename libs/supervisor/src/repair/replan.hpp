@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole that remains, planned anew without what cannot be.
+// Plans all remaining tasks anew, without those that are infeasible.
 #pragma once
 
 #include "insertion/blocks.hpp"
@@ -8,21 +8,22 @@
 
 namespace skein::supervisor {
 
-/// A flight for nothing: no task that is free is left, and the UAV is on the ground.
+/// Whether the order is a flight without purpose: it has no free task, and the UAV is on the
+/// ground.
 bool is_futile(const Goals& order, Roles& roles, const PlanningRequest& base);
 
-/// Leaves tasks out one by one until the rest can be planned: first those that cannot be planned
-/// even alone, then what frees most energy where energy is short, else most time; waits, landings
+/// Leaves tasks out one by one until the rest is feasible: first those that are infeasible even
+/// alone, then the task that saves most energy if energy is short, else most time; waits, landings
 /// and takeoffs last.
 class Replan {
  public:
   Replan(Judge& judge, Roles& roles) : judge_(judge), roles_(roles) {}
 
   struct Outcome {
-    const Verdict* verdict = nullptr;  ///< null: nothing is left
+    const Verdict* verdict = nullptr;  ///< null: no task is left
     Goals order;
     std::vector<Dropped> dropped;
-    std::vector<std::string> reasons;  ///< of the last that was tried
+    std::vector<std::string> reasons;  ///< why the last infeasible attempt failed
   };
   Outcome run(Goals goals);
 
@@ -31,12 +32,12 @@ class Replan {
     Goals order;
     const Verdict* verdict;
   };
-  /// The best order of all of them; if none serves, the one nearest to it.
+  /// The best order of the goals; if none is feasible, the one nearest to it.
   Attempt best_of(const Goals& goals, bool well_ordered);
   std::optional<std::string> hopeless(const Goals& goals, const mission::HighLevelTask& goal);
   std::vector<Dropped> leave_out(const Goals& goals, const Attempt& attempt);
   std::vector<Dropped> leave_out_most(const Goals& goals, const Attempt& attempt);
-  /// Those of the order that are of the mildest kind to leave out, and not after the culprit.
+  /// Indices of the tasks in the order to leave out first by their role, and not after the culprit.
   std::vector<std::size_t> candidates(const Attempt& attempt);
   std::vector<Dropped> save_energy(const Attempt& attempt, const Sketch& sketch);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The right to decide is given up, and taken again. Source: spec 1.2, T II.1.1.
+// Hand-over of the authority over the plan, and its return. Source: spec 1.2, T II.1.1.
 #pragma once
 
 #include <optional>
@@ -11,29 +11,29 @@
 
 namespace skein::supervisor {
 
-/// Who decides on the plan of the UAV. Lifetime: refers to its arguments.
+/// Keeps whether the supervisor has the authority over the UAV's plan. Lifetime: refers to its
+/// arguments.
 class HandOver {
  public:
   HandOver(SafeMode& safe_mode, Committer& committer, Agenda& agenda, Outbox& out, Book& book)
       : safe_mode_(safe_mode), committer_(committer), agenda_(agenda), out_(out), book_(book) {}
 
-  /// The supervisor decides. Not before it is told so.
+  /// Whether the supervisor has the authority; false before the first take().
   bool engaged() const { return engaged_; }
   void give_up(const Disengage& input);
   void take(const Engage& input);
-  /// A task that another executive had has come back from it, or is over.
+  /// A task that another executive had is back in this one's, or over.
   void came_back(TaskId task);
-  /// Gives up for lost what does not come back.
+  /// Gives up tasks that did not come back in time.
   void time_passes();
-  /// When it does; nothing: nothing is to come back.
+  /// When time_passes() gives up; absent: no task is awaited.
   std::optional<MissionTime> next_wakeup() const;
-  /// What is open of it is no longer the supervisor's; goals that are wholly with the executive
-  /// stay under way.
+  /// Hands the goal over if it is open; a goal that is wholly with the executive stays under way.
   void hand_over_goal(GoalId id);
 
  private:
-  /// Goals that have lost a task while another executive had the rest of them: they are planned
-  /// anew once that is back, since what is not here cannot be aborted.
+  /// Goals that lost a task while another executive had their other tasks: they are planned anew
+  /// once the missing tasks are back, since tasks of another executive cannot be aborted.
   struct Return {
     std::set<GoalId> goals;
     std::set<TaskId> missing;

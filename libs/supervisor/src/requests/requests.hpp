@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operators 0 and 2: what users ask for. Source: T IV.4.2 (SCD-0, SCD-2), spec 6.2.
+// Operators 0 and 2: requests of users. Source: T IV.4.2 (SCD-0, SCD-2), spec 6.2.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace skein::supervisor {
 
-/// Missions, their cancellation, and what is told of the world: each is answered at once. Lifetime:
-/// refers to what it works with.
+/// Handles missions, cancellations and changes of the world; answers each in the same call.
+/// Lifetime: refers to its Rooms.
 class Requests {
  public:
   struct Rooms {
@@ -41,7 +41,7 @@ class Requests {
   void cancel(const std::vector<GoalId>& goals, bool interrupt, const std::string& cause);
   std::vector<GoalId> left_to_plan(const std::vector<GoalId>& gone) const;
   void drop_cancelled_missions();
-  /// The answer, and the decision; true when there are no problems.
+  /// Emits the answer and the decision; true if there are no problems.
   bool answer(const std::string& cause, const std::string& inputs,
               const std::vector<std::string>& problems);
 
@@ -52,7 +52,7 @@ class Requests {
   Agenda& agenda_;
   Outbox& out_;
   Book& book_;
-  ByteBook missions_;  ///< 1 for each that was accepted
+  ByteBook missions_;  ///< 1 for each accepted mission
 };
 
 }  // namespace skein::supervisor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Air that is closed: across a way, where a task keeps the UAV, or around it.
+// Reacts to closed air: across a way, at the place of a task, or around the UAV.
 #pragma once
 
 #include <optional>
@@ -19,15 +19,15 @@ class AirWatch {
   AirWatch(const Beliefs& beliefs, OwnGoals& own_goals, Committer& committer, Agenda& agenda,
            Outbox& out, Book& book);
 
-  /// Every goal that would meet closed air is stopped; the first of them counts as failed. A UAV in
-  /// closed air stops all that it does and leaves first.
+  /// Stops every goal that would meet closed air; the first of them counts as failed. A UAV in
+  /// closed air stops all its tasks and first leaves the air.
   void check(const std::string& cause);
-  /// Likewise, when it has come to stay in closed air: carried there by what it stopped, or on a
-  /// circle that was far from it. Once a minute.
+  /// The same if the UAV is found waiting in closed air: because of a task that was stopped, or by
+  /// its waiting circle. At most once a minute.
   void look();
-  /// Likewise, when air is to close so soon that what is in it must leave.
+  /// The same for air that closes within kWarning.
   void watch();
-  /// The next instant at which it is.
+  /// The next instant at which watch() has to act.
   std::optional<MissionTime> next_closing() const;
 
  private:
@@ -50,8 +50,8 @@ class AirWatch {
   Agenda& agenda_;
   Outbox& out_;
   Book& book_;
-  MissionTime looked_ = MissionTime::seconds(-1000);  ///< when it last was found in closed air
-  MissionTime watched_;                               ///< closings before this have been dealt with
+  MissionTime looked_ = MissionTime::seconds(-1000);  ///< when look() last found it in closed air
+  MissionTime watched_;                               ///< closings up to then have been handled
 };
 
 }  // namespace skein::supervisor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What tasks of the plan still take of the energy.
+// Energy that tasks of the plan still need.
 #pragma once
 
 #include "book/book.hpp"
@@ -7,8 +7,8 @@
 
 namespace skein::supervisor {
 
-/// Of a flight that takes longer than it should, at least what is left of its way. Fraction of what
-/// is held when full.
+/// Expected energy from `now` to the end of the task, as a fraction of the full capacity; for a
+/// flight that is late, at least that of the rest of its way.
 double energy_to_come(const Entry& entry, const Beliefs& beliefs, const Retreat& retreat,
                       MissionTime now);
 

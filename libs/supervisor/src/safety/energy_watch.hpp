@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the UAV really holds, against what its plan and the way home still take.
+// Compares the UAV's energy with what its plan and the way home still need.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,16 @@
 
 namespace skein::supervisor {
 
-/// Gives up what is only planned, then what is in hand; comes down at once as the last of all.
-/// Lifetime: refers to its arguments.
+/// If energy is short, gives up goals that are only planned, then those in hand; the last resort is
+/// an immediate landing. Lifetime: refers to its arguments.
 class EnergyWatch {
  public:
   EnergyWatch(const Beliefs& beliefs, SafeMode& safe_mode, Committer& committer, Agenda& agenda,
               Outbox& out, Book& book);
 
-  /// Told once; again only after what remains fitted with some room. It is asked with every state
-  /// of the vehicle: flights are flown in thought only where a rough sum does not fit already.
+  /// Called with every vehicle state. Reacts once to a shortage, and again only after the energy
+  /// was sufficient with some margin. Simulates flights only if a cheap upper bound is not
+  /// sufficient.
   void check();
 
  private:

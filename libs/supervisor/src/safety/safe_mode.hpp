@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// In the air the UAV has a task, or it is said that it has none.
+// Safe waits: in the air the UAV has a task, or it is reported that it has none.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,23 @@
 
 namespace skein::supervisor {
 
-/// Waits where there is nothing to do. Lifetime: refers to its arguments.
+/// Starts a safe wait when the UAV has nothing to do. Lifetime: refers to its arguments.
 class SafeMode {
  public:
   SafeMode(Duration horizon, const Beliefs& beliefs, const Agenda& agenda, Committer& committer,
            Outbox& out, const Book& book);
 
-  /// A task is under way or begins at once; else it waits in safe mode until what the executive has
-  /// may begin, unless that is soon.
+  /// Starts a safe wait unless a task is under way or begins soon. The wait ends when a task that
+  /// the executive has may begin.
   void keep();
-  /// A wait was refused or aborted: none before.
+  /// A safe wait was refused or aborted: no new one is started before `at`.
   void pause_until(MissionTime at) { again_ = at; }
   void hurry() { again_.reset(); }
   bool pauses() const { return again_ && out_.now() < *again_; }
   std::optional<MissionTime> paused_until() const { return again_; }
-  /// When it is to be said what the plan waits for.
+  /// When to report a task of others that the plan waits for.
   std::optional<MissionTime> tells_at() const;
-  /// What was said of a UAV without a task is said again.
+  /// The report that the UAV has no task may be repeated.
   void forget_told() { told_ = false; }
 
  private:
@@ -43,11 +43,11 @@ class SafeMode {
   Committer& committer_;
   Outbox& out_;
   const Book& book_;
-  bool told_ = false;                 ///< that it flies and has nothing to do
+  bool told_ = false;                 ///< that the UAV flies without a task
   std::optional<TaskId> in_the_way_;  ///< a task of others that the plan waits for
   MissionTime in_the_way_since_;
   bool told_in_the_way_ = false;
-  std::optional<MissionTime> again_;  ///< no safe wait before
+  std::optional<MissionTime> again_;  ///< no safe wait before then
 };
 
 }  // namespace skein::supervisor

@@ -5,7 +5,7 @@
 
 namespace skein::supervisor {
 
-/// Time that a UAV is given to leave air before that closes, and to plan anew.
+/// Time before a volume closes that a UAV has for leaving it and planning anew.
 inline constexpr Duration kWarning = Duration::milliseconds(60'000);
 
 }  // namespace skein::supervisor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What breaks the network of a plan, in sentences about its tasks.
+// Explains why the network of a plan is inconsistent or not controllable.
 #pragma once
 
 #include <functional>
@@ -17,10 +17,11 @@ struct BrokenBound {
   temporal::LinkBound bound = temporal::LinkBound::kMin;
 };
 
-/// When a node comes in the execution to be: soonest and latest; absent: nobody knows.
+/// The forecast dates of a node, soonest and latest; absent: unknown.
 using ForeseenOf = std::function<std::optional<mission::Interval>(const temporal::NodeName& node)>;
 
-/// Of a network that is not controllable. `foreseen` gives the figures.
+/// The conflicts that `bounds`, which cannot be kept together, mean for tasks; with figures from
+/// `foreseen`.
 std::vector<Conflict> explain(const std::vector<BrokenBound>& bounds, bool consistent,
                               const ForeseenOf& foreseen, MissionTime now);
 

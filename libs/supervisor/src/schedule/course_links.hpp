@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of the links that the courses of a plan have and its network has not.
+// Ids of links that only the forecast networks ("courses") of a plan have.
 #pragma once
 
 #include "skein/temporal/live_stn.hpp"
 
 namespace skein::supervisor {
 
-/// Links of the courses alone: holds, and waits for instants.
+/// Kinds of such links: holds, waits for instants, implied bounds.
 inline constexpr temporal::LiveStn::LinkId kHeldUntil = temporal::LiveStn::LinkId{1} << 40U;
 inline constexpr temporal::LiveStn::LinkId kHeldBehind = temporal::LiveStn::LinkId{1} << 41U;
 inline constexpr temporal::LiveStn::LinkId kPresentLink = temporal::LiveStn::LinkId{1} << 42U;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounds from below on a start that follow from what is bounded after it.
+// Lower bounds on starts that are implied by upper bounds on later events.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace skein::supervisor {
 
-/// Who starts everything as early as its conditions allow keeps bounds from below by itself, and
-/// bounds from above only if what they are counted from did not come too early: when B begins 5 s
-/// after A at the latest, and C ends before B begins, A waits for C. This is the graph of the
-/// bounds of a controllable network, in which such consequences are paths.
+/// An execution that starts each task as early as its conditions allow keeps all lower bounds, but
+/// an upper bound only if the event from which it counts did not come too early: if B begins at
+/// most 5 s after A, and C ends before B begins, A must wait for C. This is the distance graph of a
+/// controllable network, in which such implied waits are paths.
 class ImpliedBounds {
  public:
-  /// Who waits comes no earlier than `least` after `node`; least >= 0.
+  /// The waiting node comes no earlier than `least` after `node`; least >= 0.
   struct Bound {
     temporal::NodeIndex node = 0;
     temporal::Ticks least = 0;
@@ -23,16 +23,17 @@ class ImpliedBounds {
 
   explicit ImpliedBounds(std::size_t nodes) : out_(nodes), is_past_(nodes, false) {}
 
-  /// to - from <= weight. `kept`: the execution sees to it by itself.
+  /// Adds to - from <= weight. `kept`: an earliest execution keeps this bound by itself.
   void add(temporal::NodeIndex from, temporal::NodeIndex to, temporal::Ticks weight, bool kept);
-  /// Nature may end so early what began with `start`: what the end must not come before, the start
-  /// must not be that much before. To be said after the bounds.
+  /// Adds a contingent link of least duration `least`: whatever the end must not precede, the start
+  /// must not precede by more than `least`. To be called after all add().
   void may_last(temporal::NodeIndex start, temporal::NodeIndex end, temporal::Ticks least);
   /// Its date is known: nothing waits for it.
   void set_past(temporal::NodeIndex node) { is_past_[node] = true; }
 
-  /// What a node waits for that the execution does not see to, and that does not itself wait for
-  /// the node; in the order of nodes. Cost: O(bounds that lead back from what is bounded after it).
+  /// The implied waits of `node` that an earliest execution does not keep by itself, except on
+  /// nodes that wait for `node`; in the order of nodes. Cost: O(bounds on paths back from later
+  /// events that are bounded by `node`).
   std::vector<Bound> of(temporal::NodeIndex node) const;
 
  private:
@@ -42,7 +43,7 @@ class ImpliedBounds {
     bool kept = false;
   };
   bool bounds_another(temporal::NodeIndex node) const;
-  /// `beyond`: which edges are looked at, of nodes at such a distance.
+  /// Shortest distances from `from`; `beyond` selects the edges of a node at a given distance.
   template <class Beyond>
   std::vector<temporal::Ticks> distances(temporal::NodeIndex from, Beyond&& beyond) const;
 

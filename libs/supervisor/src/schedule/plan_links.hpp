@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a task asks of the network of its plan: links, each with what it is about.
+// The links of a task in the network of its plan, each with its meaning.
 #pragma once
 
 #include <cstdint>
@@ -14,25 +14,25 @@
 namespace skein::supervisor {
 
 enum class BoundKind : std::uint8_t {
-  kNow,         ///< the present: neither started before, nor over
-  kFact,        ///< a date that was seen
-  kDuration,    ///< how long the task may take
-  kOrder,       ///< it does not end before it starts
+  kNow,         ///< an event that has not come yet is not in the past
+  kFact,        ///< an observed date
+  kDuration,    ///< the duration of the task
+  kOrder,       ///< the task does not end before it starts
   kAfterEnd,    ///< it waits for the end of `other`
   kAfterStart,  ///< it waits for the start of `other`
   kWithin,      ///< it starts before the end of `other`
-  kBeforeStop,  ///< it starts before what stops it, of `other`
-  kStop,        ///< it ends with what stops it, of `other`
+  kBeforeStop,  ///< it starts before the event of `other` that stops it
+  kStop,        ///< it ends with the event of `other` that stops it
   kStartAfter,  ///< time constraints
   kStartBefore,
   kEndAfter,
   kEndBefore,
-  kAfterGoal,  ///< it starts, or ends, so long after the end of `other`, or of a goal that is over
-  kPartner,    ///< others come to meet it, and it ends, or begins, after that
-  kNeeded,     ///< others need it there
+  kAfterGoal,  ///< bound on its start or end after the end of `other`, or of an achieved goal
+  kPartner,    ///< it ends, or begins, after the arrival of partners
+  kNeeded,     ///< it starts before the date at which partners need it
 };
 
-/// A bound after a goal, as the network has it.
+/// A bound after a goal, expressed on a task.
 struct TaskBound {
   mission::GoalBound bound;
   executive::TaskId other;  ///< TaskId(): the goal was achieved at `over`
@@ -40,17 +40,17 @@ struct TaskBound {
   bool operator==(const TaskBound&) const = default;
 };
 
-/// What the network has of those whom a task meets.
+/// A task's meeting with partners, in the network.
 struct Encounter {
   temporal::PartnerDates with;
-  bool at_start = false;  ///< a joint task begins with them; else it ends when they have come
-  bool for_air = false;   ///< it was started, and flies once they have left its air
+  bool at_start = false;  ///< a joint task begins when all have come; others end then
+  bool for_air = false;   ///< a motion that was started and flies once partners left its air
   Meetings::Reliance reliance = Meetings::Reliance::kOnNothing;
   bool awaits() const { return !with.last.empty(); }
   bool operator==(const Encounter&) const = default;
 };
 
-/// A task and what was seen of it, as somebody else keeps them.
+/// A task with its observation and its bounds; refers to a task that the caller owns.
 struct TaskView {
   const mission::ElementaryTask* task = nullptr;
   Observation seen;
@@ -58,37 +58,37 @@ struct TaskView {
   std::optional<Encounter> encounter = {};
 };
 
-/// What a task does with other UAVs, in their common network.
+/// A task that meets other UAVs, for the team's common network.
 struct PlanMeeting {
   temporal::Meeting what;
-  bool at_start = false;  ///< a joint task: it begins with them; else it ends when they have come
+  bool at_start = false;  ///< as in Encounter
 };
 std::optional<PlanMeeting> meeting_of(const mission::ElementaryTask& task);
 
-/// Part of an order between ways, in their common network.
+/// One side of a precedence between motions in the same air, for the team's common network.
 struct PlanOrder {
-  executive::TaskId task;  ///< the motion that waits, or with whose end the air is left
+  executive::TaskId task;  ///< the motion that waits, or at whose end the air is left
   temporal::Meeting what;
-  bool waits = false;
+  bool waits = false;  ///< it waits; else it leaves
 };
 
-/// Gives the tasks their bounds after goals, and what is known of those they meet. A goal that has
-/// no tasks here and was not achieved bounds nothing.
+/// Sets `bounds` and `encounter` of each task. A bound after a goal that has no tasks here and was
+/// not achieved is ignored.
 void relate(std::vector<TaskView>& tasks, const GoalBounds& bounds);
 
-/// What a link is about.
+/// The meaning of a link.
 struct Cause {
   executive::TaskId task;
   BoundKind kind = BoundKind::kNow;
   executive::TaskId other;
   MissionTime instant;        ///< of kFact and time constraints
-  std::uint32_t part = 0;     ///< tells links apart that are about the same
+  std::uint32_t part = 0;     ///< distinguishes links with the same meaning
   mission::GoalId goal = {};  ///< of kAfterGoal
   std::string who = {};       ///< of kPartner, kNeeded
   bool operator==(const Cause&) const = default;
 };
 temporal::LinkName name_of(const Cause& cause);
-/// The part of a kPartner that is about leaving air.
+/// Cause::part of a kPartner link about leaving air.
 inline constexpr std::uint32_t kAirPart = 2;
 
 struct PlanLink {
@@ -98,33 +98,33 @@ struct PlanLink {
 
 inline temporal::NodeName start_of(executive::TaskId task) { return {0, 2 * task.value()}; }
 inline temporal::NodeName end_of(executive::TaskId task) { return {0, 2 * task.value() + 1}; }
-/// When this UAV could begin a joint task, were it not for the others: of its frontier only.
+/// When this UAV alone would be ready to begin a joint task; only in its frontier.
 inline temporal::NodeName ready_of(executive::TaskId task) { return {2, task.value()}; }
-/// When the others have come whom the task meets, or have left the air for which it waits.
+/// When the task's partners have all come, or have left the air for which it waits.
 inline temporal::NodeName others_at(executive::TaskId task) { return {1, task.value()}; }
-/// When this UAV has left the air that another waits for: of its frontier only.
+/// When this UAV has left the air that another one waits for; only in its frontier.
 inline temporal::NodeName left_of(temporal::MeetingId order) { return {3, order}; }
-/// The present: a node at a fixed date, which nothing that has not come may precede.
+/// The present: a node at a fixed date, which no future event may precede.
 inline constexpr temporal::NodeName kPresent{0xFFFFFFFF, 1};
 
-/// The least that nature takes for anything.
+/// Least duration of a contingent link (1 ms).
 inline constexpr temporal::Ticks kInstant = 1'000'000;
 
-/// An instant as the network has it: beyond the horizon of 13 days counts as the horizon.
+/// The instant in ticks, clamped to the horizon of 13 days.
 temporal::Ticks ticks_of(MissionTime instant);
-/// It stands for what never comes.
+/// Whether the instant counts as unbounded.
 inline bool is_never(MissionTime instant) {
   return ticks_of(instant) >= ticks_of(MissionTime::max());
 }
 
-/// What was seen of a task of the network; null: it is not there.
+/// The observation of a task of the network; null: the task is not in the network.
 using SeenOf = std::function<const Observation*(executive::TaskId)>;
 
-/// Those of one task, by the rules of schedule.hpp.
+/// The links of one task, by the rules of schedule.hpp.
 std::vector<PlanLink> links_of(const TaskView& view, MissionTime now, const SeenOf& seen);
 
-/// No figure bounds its end from above: it is open-ended, or under way for longer than foreseen, or
-/// waits for who comes at no known date.
+/// Whether no link bounds the task's end from above: it is open-ended, or has exceeded its greatest
+/// duration, or waits for a partner without known date.
 bool is_endless(const TaskView& view, MissionTime now);
 
 }  // namespace skein::supervisor

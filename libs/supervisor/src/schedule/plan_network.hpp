@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The temporal network of the plan of one UAV, for as long as it lives.
+// The incremental temporal network of one UAV's plan.
 #pragma once
 
 #include <map>
@@ -17,36 +17,37 @@ namespace skein::supervisor {
 
 class PlanOutline;
 
-/// Verdict, explanation and dates of a plan whose tasks come, start, end and go while time passes.
-/// Nodes and links are keyed by what they stand for (task, bound, dependence); what differs from
-/// before is changed in place, and only what depends on it is worked out again.
+/// Verdict, explanation and dates (Schedule) of a plan whose tasks come, start, end and go while
+/// time passes. Nodes and links are keyed by their meaning (task, bound, dependence); changes are
+/// applied in place and propagated incrementally.
 ///
-/// Dates of the execution, `foreseen`, are those of two courses of nature, all durations least and
-/// all greatest, when each task starts as early as its conditions and its holds allow. Cost of an
-/// event: a comparison of all tasks with what is known of them, and what the event changes
-/// (docs/performance.md). Thread rule: not safe to share. Source: T IV.4.1, spec 5.2, 6.1.
+/// The forecast, `foreseen`, is computed in two networks ("courses"), with all contingent durations
+/// least and with all greatest, if each task starts as early as its conditions and its holds allow.
+/// Cost of an update: a comparison of all tasks with their previous versions, and the propagation
+/// of the changes (docs/performance.md). Thread rule: not safe to share. Source: T IV.4.1, spec
+/// 5.2, 6.1.
 class PlanNetwork {
  public:
   PlanNetwork();
 
-  /// The network of these tasks at `now`. Preconditions: in the order of their ids, which differ;
-  /// what they point to lives until this returns.
+  /// Makes the network that of `tasks` at `now`. Preconditions: sorted by id, ids differ; the tasks
+  /// pointed to live until the call returns.
   void update(const std::vector<TaskView>& tasks, MissionTime now);
 
   const Schedule& schedule() const { return schedule_; }
-  /// What others need to know of it when these of its tasks are meetings, with its inner nodes:
-  /// without what others said, and without the holds.
+  /// The network for partners, with inner nodes, if these tasks are meetings: without links from
+  /// partners' dates, and without holds.
   temporal::Frontier frontier(const std::map<executive::TaskId, PlanMeeting>& meetings,
                               const std::vector<PlanOrder>& orders = {}) const;
   const temporal::LiveNetwork& network() const { return live_; }
 
  private:
   struct Known {
-    mission::ElementaryTask task;  ///< without what the network does not look at
+    mission::ElementaryTask task;  ///< only the fields that matter to the network
     Observation seen;
     std::vector<TaskBound> bounds;
     std::optional<Encounter> encounter;
-    bool has_others = false;  ///< there is a node for when they have come
+    bool has_others = false;  ///< the node others_at() exists
     TaskView view() const { return {&task, seen, bounds, encounter}; }
     std::map<temporal::LinkName, PlanLink> links;
     temporal::NodeIndex start = 0, end = 0;
@@ -90,17 +91,17 @@ class PlanNetwork {
   MissionTime now_;
   temporal::NodeIndex present_ = 0;
   temporal::LiveNetwork live_;
-  /// Windows: all links, nature as fast, or as slow, as it may be.
+  /// For the windows: all links, with least, or greatest, contingent durations.
   temporal::LiveStn fast_, slow_;
-  /// The execution to be: bounds from below and holds alone, likewise.
+  /// For the forecast: only lower bounds and holds, with least, or greatest, contingent durations.
   temporal::LiveStn soonest_, slowest_;
-  /// Windows of free choice; built when the network is consistent and not controllable.
+  /// Windows with all durations controllable; if the network is consistent but not controllable.
   std::optional<temporal::LiveStn> free_;
   std::map<temporal::LinkName, std::uint32_t> numbers_;
-  /// What follows from contingent links whatever nature does; in `fast_` too.
+  /// Bounds implied by contingent links for all their durations; also in `fast_`.
   std::map<temporal::LiveStn::LinkId, temporal::Arc> implied_;
   std::set<temporal::LiveStn::LinkId> held_;
-  std::vector<executive::TaskId> starts_;  ///< of each node, the task that it is the start of
+  std::vector<executive::TaskId> starts_;  ///< by node: the task whose start it is
   Schedule schedule_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is believed of the vehicle and of the world around it.
+// Beliefs about the vehicle and the world.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@
 
 namespace skein::supervisor {
 
-/// As it was told, and as it was felt. A world that was given away never changes: what is learnt
-/// makes another, with the next revision. Lifetime: refers to the knowledge.
+/// Beliefs from messages and from the vehicle's own states. A world that was returned is immutable;
+/// each change makes a new one with the next revision. Lifetime: refers to the knowledge.
 class Beliefs {
  public:
   Beliefs(const Knowledge& knowledge, std::shared_ptr<const world::World> world);
@@ -34,18 +34,17 @@ class Beliefs {
   Retreat retreat(MissionTime now) const { return {knowledge_, *world_, now}; }
   double energy_above_reserve() const { return vehicle_.energy - model().energy.reserve; }
 
-  /// Of a place or of the ground. Returns how far that place is from where it was believed [m]; 0
-  /// where nothing was.
+  /// Takes a change of a place or of the ground. Returns by how far the place moved [m]; 0 if it
+  /// was unknown before.
   double learn(const mission::ChangeWorld& change);
   /// Closes or opens a volume of air.
   void close(const mission::ChangeWorld& change);
-  /// A task that ends in the air, or on the ground, has ended.
+  /// A task has ended; sets `airborne` if its type ends in the air or on the ground.
   void see_end(const executive::TaskEvent& event, MissionTime now);
-  /// Returns the devices that worked so far.
+  /// Takes a vehicle state. Returns the devices that have newly failed.
   std::set<std::string> see(const world::VehicleState& state,
                             const std::vector<std::string>& failed, MissionTime now);
-  /// Plans from now on reckon with the wind that is felt, once it is known to be another: then it
-  /// is returned.
+  /// Replaces the believed wind by the estimated one if they differ significantly; returns it then.
   std::optional<world::Wind> feel_wind();
 
  private:
@@ -57,7 +56,7 @@ class Beliefs {
   world::VehicleState vehicle_;
   WindEstimator wind_;
   std::set<std::string> broken_;
-  MissionTime grounded_until_;  ///< a state that says otherwise is older than the landing
+  MissionTime grounded_until_;  ///< until then, an airborne state counts as older than the landing
 };
 
 }  // namespace skein::supervisor

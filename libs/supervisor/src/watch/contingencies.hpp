@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operator 6 before its job: what is seen moves the dates of the plan, or breaks it.
+// Operator 6 before its job: observations shift the dates of the plan, or break it.
 #pragma once
 
 #include <map>
@@ -13,11 +13,11 @@
 
 namespace skein::supervisor {
 
-/// The first two rungs of repair, absorb and shift; and what a goal loses when it fails or is
-/// cancelled, so that a job may plan the rest. Lifetime: refers to its arguments.
+/// The first two steps of repair, absorb and shift; and the bookkeeping of failed and cancelled
+/// goals, before a job plans the rest. Lifetime: refers to its arguments.
 class Contingencies {
  public:
-  /// `grace`: how far dates may move that were promised; `refinements`: times that a failed goal is
+  /// `grace`: by how much promised dates may move; `refinements`: how often a failed goal is
   /// refined again.
   struct Limits {
     Duration grace;
@@ -28,26 +28,25 @@ class Contingencies {
 
   // ---- dates ----
 
-  /// The dates after something was seen; what breaks the network is a contingency.
+  /// Updates the dates after an observation; a conflict in the network is a contingency.
   void check_network(const std::string& cause);
-  /// Likewise, after news of those whom the UAV is to meet; it gives way where each waits for the
-  /// other.
+  /// The same after news of partners; the UAV gives way if partners wait for each other.
   void check_meetings();
-  /// The promised dates hold, or others are promised. Source: spec 6.2 (6).
+  /// Keeps the promised dates, or promises new ones. Source: spec 6.2 (6).
   void absorb_or_shift(const std::string& cause);
-  /// What should have started or ended by now is looked at.
+  /// Handles tasks that should have started or ended by now.
   void check_slips();
 
   // ---- goals ----
 
-  /// It is refined again from here as often as that is allowed.
+  /// The goal failed: it is refined again from here if its number of refinements permits.
   void fail_goal(GoalId id, const std::string& cause);
   void cancel_goal(GoalId id, const std::string& cause);
-  /// Goals that need one of these, which work no more, fail.
+  /// Goals fail that need one of the devices `newly` failed.
   void check_devices(const std::set<std::string>& newly);
-  /// A place turned out to lie elsewhere than it was thought [m]: plans for it are made again; what
-  /// was seen there counts. What is under way goes on while it still has the place in view, however
-  /// often that has moved since.
+  /// A place turned out to be `moved` [m] from where it was believed: goals about it are planned
+  /// again; perceptions made so far count. A task under way goes on while it still has the place in
+  /// view; displacements add up.
   void look_elsewhere(const std::string& place, const world::Vector3& moved,
                       const std::string& cause);
 
@@ -64,7 +63,7 @@ class Contingencies {
   Outbox& out_;
   Book& book_;
   std::string risk_told_;
-  /// How far what a goal is about has moved since the goal was given to the executive.
+  /// Displacement of each goal's place since the goal was given to the executive [m].
   std::map<GoalId, world::Vector3> moved_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is seen of tasks: they start, end, are lost, are refused.
+// Handles observations of tasks: start, end, abort, refusal; and of the vehicle.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace skein::supervisor {
 
-/// Lifetime: refers to what it works with.
+/// Lifetime: refers to its Rooms.
 class Observer {
  public:
   struct Rooms {
@@ -25,13 +25,13 @@ class Observer {
     Outbox& out;
     Book& book;
   };
-  /// `grace`: by how much less than its least a task may take.
+  /// `grace`: by how much a task may fall short of its least duration.
   Observer(const Rooms& rooms, Duration grace);
 
   void see(const executive::TaskEvent& event);
-  /// A request of ours was answered.
+  /// The executive answered a request of the supervisor.
   void see(const executive::Reply& reply);
-  /// A state of the vehicle. Returns the devices that worked so far.
+  /// A vehicle state. Returns the devices that have newly failed.
   std::set<std::string> see(const VehicleSeen& seen);
 
  private:
@@ -65,7 +65,7 @@ class Observer {
   Book& book_;
   Duration grace_;
   Refusals refusals_;
-  bool led_away_ = false;  ///< an operator moved it since the plan was made
+  bool led_away_ = false;  ///< an operator's task has moved the vehicle since the plan was made
 };
 
 }  // namespace skein::supervisor

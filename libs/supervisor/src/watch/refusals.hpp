@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the vehicle refuses again and again is asked for more and more seldom.
+// Back-off for tasks that the functional layer refuses repeatedly.
 #pragma once
 
 #include <map>
@@ -10,16 +10,16 @@
 
 namespace skein::supervisor {
 
-/// How long after the one before a refusal still counts as one more of the same, beyond the pause.
+/// Time after a refusal and its pause within which the next refusal counts as a repetition.
 inline constexpr Duration kRefusedAgain = Duration::milliseconds(120'000);
 
-/// Counts what the functional layer did not do, or left off, alike: tasks of one type, in the same
-/// words but for figures, and none of the type done in between. A value type.
+/// Counts equal refusals and aborts by the functional layer: of one task type, with the same reason
+/// except for numbers, and no success of the type in between. A value type.
 class Refusals {
  public:
-  /// One more. Returns how many it is of these.
+  /// Counts a refusal; returns the number of equal ones so far.
   int count(const std::string& type, const std::string& why, MissionTime now);
-  /// A task of this type was done: what went before is past.
+  /// A task of this type succeeded: its counts start again.
   void did(const std::string& type);
 
  private:
@@ -30,8 +30,8 @@ class Refusals {
   std::map<std::pair<std::string, std::string>, Row> rows_;  ///< by type and words
 };
 
-/// How long to wait before that is asked for again which was refused so often: not at all after the
-/// first time, then 5 s, doubled each time, at most a minute.
+/// Pause before the next attempt after so many refusals: none after the first, then 5 s, doubled
+/// each time, at most a minute.
 Duration pause_after(int times);
 
 }  // namespace skein::supervisor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the vehicle keeps itself, and where a task of its plan would keep it.
+// Where the vehicle waits, and where a task of its plan keeps it.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,15 @@
 
 namespace skein::supervisor {
 
-/// What one that cannot hover circles over: where its last motion led, while it is near that.
+/// The place that a vehicle that cannot hover circles around: the end of its last motion, if it is
+/// near that. Absent for a vehicle that hovers, flies along a way, or is on the ground.
 std::optional<world::Vector3> circled(const Book& book, const Beliefs& beliefs);
 
-/// The middle of its circle, else where it is.
+/// circled(), else the vehicle's position [m, ENU].
 world::Vector3 place_of_vehicle(const Book& book, const Beliefs& beliefs);
 
-/// Where the task keeps it: the end of the last way before it. Nothing on the ground, and of what
-/// rides along with a flight.
+/// Where the vehicle is during the task: the end of the last way before it [m, ENU]. Absent if it
+/// is on the ground then, or if the task has a way or runs along with a flight.
 std::optional<world::Vector3> stand_of(const Entry& entry, const Book& book,
                                        const Beliefs& beliefs);
 

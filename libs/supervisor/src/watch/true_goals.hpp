@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Goals that need no tasks, since what they ask for is true when their turn comes.
+// Goals that need no tasks, since they are true already when their turn comes.
 #pragma once
 
 #include "jobs/situations.hpp"
@@ -19,10 +19,10 @@ class TrueGoals {
         out_(out),
         book_(book) {}
 
-  /// Of each free goal that the plan gives no tasks: where the vehicle is when its turn comes.
+  /// Sets Goal::true_at of each free goal without tasks: the vehicle's place when its turn comes.
   void foresee();
-  /// Its turn comes when all before it is settled: then it is achieved if it is true, else it needs
-  /// tasks after all. What is counted from its end has its dates from then on.
+  /// Settles such goals when all goals before them are settled: achieved if the vehicle is at the
+  /// expected place, else they need tasks after all. Bounds counted from their ends are dated then.
   void settle();
 
  private:

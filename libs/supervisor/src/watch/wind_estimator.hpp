@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The wind, from how it carries a vehicle that flies by itself over the ground.
+// Estimates the wind from the drift of a vehicle.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,12 @@
 
 namespace skein::supervisor {
 
-/// A Kalman filter of mean wind and air speed. Where the vehicle flies steadily its velocity over
-/// the ground is its air speed in the direction of its nose, and its share of the wind
-/// (VehicleModel::wind_drift). Straight flight tells the wind across it; along it wind and air
-/// speed cannot be told apart until the vehicle turns. Starts from the wind believed and the cruise
-/// speed, both uncertain. States in hover, in turns that a hovering vehicle's nose may lag behind,
-/// while it gathers speed or brakes, climbs or descends tell nothing and are left out.
+/// A Kalman filter of mean wind and airspeed. In steady flight the ground velocity is the airspeed
+/// in the direction of the heading plus a share of the wind (VehicleModel::wind_drift). Straight
+/// flight shows only the crosswind; along the track, wind and airspeed are separable only after a
+/// turn. The filter starts from the believed wind and the cruise speed, both uncertain. It ignores
+/// states in hover, during acceleration, braking, climb or descent, and in turns of a hovering
+/// vehicle, whose heading may lag behind.
 ///
 /// Deterministic; a value type. Cost of a state: some hundred operations.
 class WindEstimator {
@@ -28,7 +28,7 @@ class WindEstimator {
   /// Precondition: `at` never decreases.
   void see(const world::VehicleState& state, MissionTime at);
 
-  /// With the gusts that were believed.
+  /// The estimated mean wind, with the gusts of the believed wind.
   world::Wind wind() const;
   /// Greatest standard deviation of the mean wind in any direction [m/s].
   double spread() const;
