@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one look says about one place, for those who add such evidence up.
+// Evidence of one look on one place.
 #pragma once
 
 #include "skein/ground_station/perception_processing.hpp"
 
 namespace skein::ground_station {
 
-/// Of the model of its UAV, else by the name of its device; absent: its looks are no evidence.
+/// The evidence model of the look's device: that of its UAV's model, else by the device's name;
+/// null: its looks are no evidence.
 const world::SensorEvidence* evidence_of(const PpsConfig& config, const world::Perception& look);
 
 bool speaks_for_fire(const world::SensorEvidence& device, const std::string& kind);
@@ -15,12 +16,12 @@ bool speaks_for_fire(const world::SensorEvidence& device, const std::string& kin
 /// nothing reported.
 double log_ratio(const world::SensorEvidence& device, const world::Detection* detection);
 
-/// All figures are finite, and it looks somewhere.
+/// All figures are finite, and the direction of view is not zero.
 bool is_sane(const world::Perception& look);
 bool is_sane(const world::Detection& detection);
 
-/// A place on the ground, with a margin [m] around it, is wholly in the cone, in range and in line
-/// of sight.
+/// Whether a disc of radius `margin` [m] around a place on the ground is wholly in the cone, in
+/// range and in line of sight.
 bool surely_in_view(const world::Perception& look, const world::Vector3& place, double margin,
                     const world::Terrain& terrain);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a request is about.
+// Properties of requests.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,13 @@ namespace skein::ground_station {
 /// "MISSION 2 (3 tasks)", "CANCEL 701", "DEGREE 1", "CLOSE tower", "OPEN tower".
 std::string what_of(const Request& request);
 
-/// The task that a START brings; nothing for another request.
+/// The task that a START adds; absent for other requests.
 std::optional<executive::TaskId> started_by(const Request& request);
 
-/// As the executive takes it; nothing for what only a decision node can answer.
+/// The request as input of an executive; absent if only a decision node can answer it.
 std::optional<executive::Input> to_executive(const Request& request);
 
-/// The task, already there, that an ABORT, UPDATE-COND or SUPPRESS names; nothing for another.
+/// The existing task that an ABORT, UPDATE-COND or SUPPRESS names; absent for other requests.
 std::optional<executive::TaskId> named_by(const Request& request);
 
 }  // namespace skein::ground_station

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tasks that move from one executive to another, as requests to the one that gets them.
+// Transfer of tasks from one executive to another, as requests to the receiving one.
 #pragma once
 
 #include <functional>
@@ -12,28 +12,26 @@
 
 namespace skein::ground_station {
 
-/// What is known besides the tasks that move, which the executive that gets them may not know.
+/// Facts besides the transferred tasks that the receiving executive may not know.
 struct TransferFacts {
-  /// Where another task of the UAV stands; nothing: unknown, or lost.
+  /// State of another task of the UAV; absent: unknown, or lost.
   std::function<std::optional<executive::TaskState>(executive::TaskId)> state_of;
   std::set<std::string> messages;  ///< the UAV has processed them
 };
 
-/// The requests, in order, that bring `tasks` into an executive that knows none of them and has
-/// itself carried out, or heard of, nothing else. Laws:
-/// - each task is started once, those under way first, then by id; what is under way has no
-///   preconditions, and what was aborting is aborted;
-/// - of conditions only what can still change is sent: clauses that hold for ever are left out,
-///   literals that cannot hold any more too, and what is left has in the new executive, which sees
-///   tasks under way begin again, the value it had in the old one;
-/// - no condition names a task before its START: where it would, it follows as UPDATE-COND.
+/// The requests, in order, that bring `tasks` into an executive without tasks or history. Laws:
+/// - each task is started once, those under way first, then by id; tasks under way get no
+///   preconditions, and aborting ones are aborted;
+/// - conditions are simplified to what can still change: clauses that are true for ever and
+///   literals that can no longer be true are left out. The rest has the same value in the new
+///   executive, which sees tasks under way begin again, as in the old one;
+/// - no condition names a task before its START: such a condition follows as UPDATE-COND.
 /// Source: spec 1.2 (hand-over), T III.1.3.
 std::vector<Request> requests_to_start(std::vector<mission::HeldTask> tasks,
                                        const TransferFacts& facts);
 
-/// The same request to an executive that does not know the tasks that `over` gives the terminal
-/// state of: of the conditions only what can still change is sent. What `over` gives nothing for
-/// stays as it is.
+/// The request for an executive that does not know the tasks for which `over` returns a terminal
+/// state: conditions on these are simplified as in requests_to_start(). Other conditions stay.
 Request without_settled(
     const Request& request,
     const std::function<std::optional<executive::TaskState>(executive::TaskId)>& over);

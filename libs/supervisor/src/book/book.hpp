@@ -115,6 +115,7 @@ class Book {
   /// The same for tasks that use the device.
   std::set<TaskId> loose_users_of(const std::string& device) const;
   /// An operator's task that moves the vehicle away (Loose::leads_away) is not over.
+  bool is_led_away() const;
   /// Open-ended tasks that wait for orders and are not over.
   std::vector<const Entry*> waits_for_orders() const;
   /// The vehicle has a reason to fly: a task that was not told to stop is under way, or one that

@@ -34,8 +34,9 @@ class Plans {
 
   /// Term store kept between jobs [bytes]; if it is larger, the domain is compiled anew.
   static constexpr std::size_t kMostKept = std::size_t{1} << 20U;
-  /// Inferences of one job after which the domain is compiled anew. Not a bound on memory: how
-  /// often a job polls the clock must not depend on earlier jobs (a restarted node repeats jobs).
+  /// Inferences of one job after which caches and domain are made anew. Counted in inferences, not
+  /// in bytes: how often a job polls the clock must not depend on earlier jobs (a restarted node
+  /// repeats jobs).
   static constexpr std::uint64_t kMostEffort = 2'000'000;
 
   std::uint64_t effort_of_job_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What goes in and out of the ground station's components.
+// Inputs and effects of the ground station's components.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ using mission::Request;
 using mission::runs_at_ground;
 using mission::synchronises_directly;
 
-/// What a unit mission comes to.
+/// Stages of a unit mission that are reported.
 enum class MissionStage {
   kPlanned,   ///< the UAV has a plan for it
   kRefused,   ///< it was refused: by the ground, by the UAV, or because no plan has room for it
@@ -48,9 +48,9 @@ using CommandNumber = Id<struct CommandNumberTag, std::uint64_t>;
 
 /// Time passes.
 struct Tick {};
-/// A vehicle told of itself.
+/// The state of a vehicle, from the vehicle.
 using TelemetryReceived = world::Telemetry;
-/// A task of a UAV entered a state: from its MLE.
+/// A task of a UAV entered a state; reported by its MLE.
 struct TaskEventReceived {
   std::string uav;
   executive::TaskId task;
@@ -73,11 +73,11 @@ struct CommandDelivered {
 struct CommandUndelivered {
   CommandNumber command;
 };
-/// What the ground believes of its own radio contact with a UAV's decision node.
+/// The ground's radio contact with a UAV's decision node changed, as far as the ground knows.
 struct PeerReachable {
   std::string uav;
   bool reachable = false;
-  bool restarted = false;  ///< it is a new incarnation, which has no plan
+  bool restarted = false;  ///< the node restarted and has no plan
 };
 struct PlannedTaskStatus {
   executive::TaskId task;
@@ -87,24 +87,24 @@ struct PlannedTaskStatus {
 /// Versions of interaction models, by type of joint task. Source: spec 7.3.
 using ModelVersions = std::map<std::string, std::uint64_t>;
 
-/// The plan a UAV's decision node holds. Repairs what events have not told; degree 1 nodes hold
+/// The plan that a UAV's decision node holds; makes up for lost events. Nodes at degree 1 hold
 /// none.
 struct PlanBoardReceived {
   std::string uav;
   Degree degree = 3;
   bool airborne = false;
   std::vector<PlannedTaskStatus> tasks;
-  /// When it was so. Absent: taken as now.
+  /// Time of this state; absent: now.
   std::optional<MissionTime> at = std::nullopt;
-  ModelVersions models = {};  ///< that it has
+  ModelVersions models = {};  ///< interaction models that the UAV has
 };
-/// The plan of a UAV at degree 4, and where its high-level tasks stand.
+/// The plan of a UAV at degree 4, and the states of its high-level tasks.
 struct MissionPlanReceived {
   std::string uav;
   mission::PlanReport plan;
   std::optional<MissionTime> at = std::nullopt;  ///< as in PlanBoardReceived
 };
-/// A UAV changed its degree and tells what it had in hand.
+/// A UAV changed its degree and hands over its plan.
 struct HandOverReceived {
   std::string uav;
   mission::HandOver hand_over;
@@ -115,17 +115,17 @@ struct DecisionReceived {
   std::string uav;
   mission::Decision decision;
 };
-/// What became of a mission that a UAV had accepted for planning.
+/// The outcome of a mission that a UAV had accepted for planning.
 struct MissionOutcomeReceived {
   std::string uav;
   mission::MissionOutcome outcome;
 };
-/// The functional layer's answer to what the ground itself dispatched (degree 1).
+/// The functional layer's answer to a request dispatched by the ground (degree 1).
 struct FunctionalStatusReceived {
   std::string uav;
   executive::FunctionalStatus status;
 };
-/// A synchronisation message that is not for direct delivery: to be relayed or used here.
+/// A synchronisation message that the UAVs do not exchange directly: to be relayed or used here.
 struct SyncReceived {
   std::uint64_t id = 0;
   std::string from;
@@ -133,7 +133,7 @@ struct SyncReceived {
   executive::SyncWord word = executive::SyncWord::kThere;
   std::optional<MissionTime> said = std::nullopt;  ///< when it was sent; absent: now
 };
-/// An operator acts by name: what the script's OnOperator waits for.
+/// An operator did the action `does`, for which OnOperator triggers wait.
 struct OperatorActs {
   std::string does;
 };
@@ -146,13 +146,13 @@ struct OperatorCommand {
 
 // ---- between components, and to the outside ----
 
-/// Ask MCS to send a request and see it through.
+/// Ask MCS to send a request and to follow it until it is settled.
 struct IssueCommand {
   std::string uav;
   Request request;
   MissionTime expires;
   std::string asked_by = {};  ///< for people: "step detection", "operator end"
-  /// It belongs to a change of degree, and goes before the commands that wait for that.
+  /// It belongs to a change of degree, and is sent before the commands that wait for that change.
   bool ahead = false;
 };
 /// Ask MCS to send a request to each UAV.
@@ -161,30 +161,30 @@ struct IssueToAll {
   MissionTime expires;
   std::string asked_by = {};
 };
-/// Ask MCS to take a UAV in hand (degree 1) or to give it back (the degree before).
+/// Ask MCS to take a UAV in hand (degree 1) or to give it back (to its previous degree).
 struct ChangeHands {
   enum class Way { kTake, kGiveBack };
   std::string uav;
   Way way = Way::kTake;
-  bool interrupt = false;  ///< when taken: what runs is interrupted
+  bool interrupt = false;  ///< with kTake: running tasks are interrupted
   MissionTime expires;
   std::string asked_by = {};
 };
-/// Start, or discard, the plan that a UAV handed over.
+/// ResumeHeld: start the plan that a UAV handed over; DropHeld: discard it.
 struct ResumeHeld {
   std::string uav;
-  std::vector<executive::TaskId> without;
+  std::vector<executive::TaskId> without;  ///< tasks to discard
   MissionTime expires;
   std::string asked_by = {};
 };
 struct DropHeld {
   std::string uav;
 };
-/// What belongs to a change of degree has been issued: the commands that waited for it may go.
+/// All commands that belong to a change of degree have been issued: those waiting may be sent.
 struct ReleaseCommands {
   std::string uav;
 };
-/// Ask MCS to abort all that is not terminal, or still on its way, highest id first.
+/// Ask MCS to abort all tasks that are not terminal or whose START is pending, highest id first.
 struct AbortEverything {
   std::string uav;
   MissionTime expires;
@@ -193,13 +193,13 @@ struct AbortEverything {
 enum class CommandState { kIssued, kDelivered, kAcknowledged, kRefused, kExpired };
 /// "issued", "delivered", "acknowledged", "refused", "expired".
 std::string_view to_text(CommandState state);
-/// Whether nothing follows any more.
+/// Whether the state is final.
 constexpr bool is_settled(CommandState state) {
   return state != CommandState::kIssued && state != CommandState::kDelivered;
 }
 
-/// A request is to go to a UAV's MLE. Idempotent by number: an MLE that already handled the number
-/// in this life answers as before and does nothing. It must not be executed after `expires`.
+/// Send a request to a UAV's MLE. Idempotent by number: an MLE that has handled the number since
+/// its start repeats its answer and does nothing. The request must not be executed after `expires`.
 struct SendRequest {
   CommandNumber command;
   std::string uav;
@@ -207,7 +207,7 @@ struct SendRequest {
   MissionTime expires;
   std::string asked_by = {};
 };
-/// A command was issued, reached its UAV's node, or came to its end; for the journal.
+/// A command was issued, delivered or settled; for the journal.
 struct CommandChanged {
   CommandNumber command;
   std::string uav;
@@ -217,13 +217,13 @@ struct CommandChanged {
   std::string asked_by = {};
   std::optional<executive::TaskId> task = {};  ///< of a START or an ABORT
 };
-/// A task's state is news to the ground. Each state of a task is told once.
+/// The ground learnt a new state of a task. Emitted once for each state of a task.
 struct TaskChanged {
   std::string uav;
   executive::TaskId task;
   executive::TaskState state = executive::TaskState::kScheduled;
 };
-/// The UAV's decision node restarted; what it had in hand is lost.
+/// The UAV's decision node restarted, and its open tasks are lost.
 struct UavRestarted {
   std::string uav;
   std::vector<executive::TaskId> lost;
@@ -232,14 +232,14 @@ struct DegreeChanged {
   std::string uav;
   Degree degree = 3;
 };
-/// A UAV handed its plan over, after DegreeChanged if it changed the degree. It does so by itself
+/// A UAV handed its plan over; after DegreeChanged, if the degree changed. A UAV does so by itself
 /// when its contact-loss policy takes the plan from its supervisor.
 struct HandedOver {
   std::string uav;
   mission::HandOver hand_over;
-  bool resumes = false;  ///< the UAV goes on with what it had handed over before
+  bool resumes = false;  ///< the UAV continues the plan that it had handed over before
 };
-/// The change of degree that commands waited for is over, with or without effect.
+/// The change of degree that commands waited for has succeeded or failed.
 struct ChangeSettled {
   std::string uav;
 };
@@ -249,75 +249,75 @@ struct GoalChanged {
   mission::GoalId goal;
   mission::GoalState state = mission::GoalState::kReceived;
 };
-/// A unit mission came to a stage. Each stage is told once in a life of the UAV's node.
+/// A unit mission came to a stage. Emitted once per stage between restarts of the UAV's node.
 struct MissionChanged {
   std::string uav;
   mission::MissionId mission;
   MissionStage stage = MissionStage::kPlanned;
 };
-/// A task of a global mission stands elsewhere in the team's book.
+/// The standing of a task of a global mission in the team's book changed.
 struct TeamTaskChanged {
   team::TaskStanding standing;
 };
 enum class GlobalStage { kRefused, kGiven, kDone };
 /// "refused", "given", "done".
 std::string_view to_text(GlobalStage stage);
-/// A global mission was given to the team, or makes no sense (`why`), or all of it is done.
+/// A global mission was given to the team, or refused as invalid (`why`), or all of it is done.
 struct GlobalMissionChanged {
   mission::MissionId mission;
   GlobalStage stage = GlobalStage::kGiven;
   std::string why;
 };
-/// To be given to the team.
+/// Give a global mission to the team.
 struct GiveGlobalMission {
   team::GlobalMission mission;
 };
-/// A role of a joint task is to be played here for a UAV that does not deliberate; the joint task
-/// has the number of a task of that UAV. `asked_by`, when empty, becomes the step's or the
+/// Play a role of a joint task at the ground for a UAV that does not deliberate; the id of `task`
+/// is used as the id of a task of that UAV. An empty `asked_by` becomes the step's or the
 /// operator's name. Source: spec 1.2, 7.3.
 struct PlayRole {
   std::string uav;
   mission::HighLevelTask task;
   std::string asked_by = {};
 };
-/// What is played here for the UAV ends: one joint task, or all.
+/// Stop playing roles for the UAV: of one joint task, or of all.
 struct StopRole {
   std::string uav;
-  std::optional<executive::TaskId> task;
+  std::optional<executive::TaskId> task;  ///< absent: all
   std::string why;
 };
-/// A role that is played here wants this of the UAV.
+/// A role that is played at the ground has a request for its UAV.
 struct RoleAsks {
   std::string uav;
   Request request;
 };
-/// A joint task that is played here is running, ended or aborted.
+/// A joint task that is played at the ground is running, ended or aborted.
 struct PlayedTaskChanged {
   std::string uav;
   executive::TaskEvent event;
 };
-/// The operator says that a UAV will never be heard again: what it was granted is sold again.
+/// The operator declares that a UAV is lost for good: its granted tasks are auctioned again.
 struct DeclareLost {
   std::string uav;
 };
 enum class HeldState { kHeld, kResumed, kDropped };
 /// "held", "resumed", "dropped".
 std::string_view to_text(HeldState state);
-/// What happened to the plan that a UAV handed over; for the journal.
+/// Tasks of a plan that a UAV handed over were held, resumed or dropped; for the journal.
 struct HeldPlanChanged {
   std::string uav;
-  std::size_t tasks = 0;  ///< of which it happened
+  std::size_t tasks = 0;  ///< how many
   HeldState state = HeldState::kHeld;
 };
-/// What is known of an alarm is to be told to one UAV again, or to all.
+/// Send the present state of an alarm to one UAV again, or to all.
 struct TellAlarm {
   Alarm alarm;
   std::string uav;  ///< empty: all
 };
-/// Something that should not come, and was disregarded; for the log.
+/// An unexpected input was ignored, or an action could not be done; for the log.
 struct Anomaly {
   std::string why;
-  std::string asked_by = {};  ///< who had asked for what is not done; empty: nobody
+  std::string asked_by = {};  ///< who had asked for the action; empty: nobody
 };
 
 // ---- the mission ----
@@ -333,14 +333,14 @@ struct OperatorDid {
 };
 struct MissionFinished {};
 
-// ---- degree 1: what the ground does in place of a UAV's MLE ----
+// ---- degree 1: the ground runs the UAV's MLE ----
 
 /// An elementary request to the functional layer, through the transparent decision node.
 struct SendFunctional {
   std::string uav;
   functional::Request request;
 };
-/// A synchronisation message is to go to the MLE of `to`.
+/// Send a synchronisation message to the MLE of `to`.
 struct SendSync {
   std::uint64_t id = 0;
   std::string from;
@@ -362,7 +362,7 @@ struct LocalTaskEvent {
   std::string uav;
   executive::TaskEvent event;
   executive::Parameters parameters;  ///< of the task
-  bool functional = true;  ///< its functional layer carries it out, so that the UAV sees it
+  bool functional = true;  ///< the functional layer executes it, so that the UAV knows of it
 };
 /// An MLE at the ground answered a request; for the journal.
 struct LocalRequestAnswered {

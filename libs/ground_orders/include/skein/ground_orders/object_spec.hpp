@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects that a ground station is to follow.
+// Objects that the ground station is to track.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace skein::ground_station {
 
-/// An object that missions name and that does not stay where it is: a fire front, a vehicle.
+/// A moving object that missions may name: a fire front, a vehicle.
 struct ObjectSpec {
   std::string name;
   std::string kind;                                 ///< as sensors report it
-  world::Vector3 thought = world::Vector3::Zero();  ///< where it is before it is seen [m] ENU
-  double reach = 100;  ///< how far from there it may be when it is seen first [m], > 0
-  double drift = 1;  ///< standard deviation of how far it gets in a second, per axis [m/√s], > 0
+  world::Vector3 thought = world::Vector3::Zero();  ///< assumed position before a sighting [m] ENU
+  double reach = 100;  ///< greatest distance of the first sighting from there [m], > 0
+  double drift = 1;    ///< of the random walk: standard deviation per axis [m/√s], > 0
 };
 
-/// Why they cannot be followed, in sentences, all at once.
+/// Why the objects cannot be tracked, in sentences, all at once; empty when the list is fine.
 std::vector<std::string> problems_of(const std::vector<ObjectSpec>& objects);
 
 }  // namespace skein::ground_station

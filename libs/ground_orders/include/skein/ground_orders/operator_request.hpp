@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What operators ask of the ground station while a mission runs, and what they are told.
+// Requests of operators to the ground station while a mission runs, and the answers.
 #pragma once
 
 #include <cstdint>
@@ -14,52 +14,53 @@
 
 namespace skein::ground_station {
 
-/// Would the operator who has the UAV in hand let go of it? If he does not keep it, it passes.
+/// Asks the operator who has the UAV in hand to let go of it. Without KeepUav in time it passes to
+/// the asker.
 struct AskForUav {
   std::string uav;
 };
-/// The answer: no. It stays with who has it.
+/// The refusal of AskForUav: the UAV stays in the hand of its holder.
 struct KeepUav {
   std::string uav;
 };
-/// Nobody has it in hand from now on, or another operator does; its degree stays.
+/// The UAV is in nobody's hand from now on, or in that of operator `to`; its degree stays.
 struct LetGo {
   std::string uav;
   std::string to = {};  ///< empty: nobody
 };
-/// What a step of the script waits for from an operator.
+/// The operator's action that a step of the script waits for (OnOperator).
 struct Answer {
   std::string does;
 };
-/// A person has judged: confirmed or infirmed.
+/// A person judges an alarm: kConfirmed or kInfirmed.
 struct JudgeAlarm {
   AlarmId alarm;
   AlarmState state = AlarmState::kConfirmed;
 };
-/// A UAV in the operator's hand flies along the points [m] ENU, at once.
+/// Makes a UAV in the operator's hand fly along the points [m] ENU, at once.
 struct SteerTo {
   std::string uav;
   std::vector<world::Vector3> points;
 };
 
-/// What a script can do, and what only a person can.
+/// One element of a request: an action as in a script, or one that only operators have.
 using OperatorDeed = std::variant<Action, AskForUav, KeepUav, LetGo, Answer, JudgeAlarm, SteerTo>;
 
 /// "take_in_hand marvin", "close_air tower", "judge_alarm 1 confirmed": for people.
 std::string to_text(const OperatorDeed& deed);
-/// The UAV that it commands, so that nobody else may have it in hand; empty: none.
+/// The UAV that the deed commands, which no other operator may have in hand; empty: none.
 std::string commanded_by(const OperatorDeed& deed);
 
-/// All of its deeds are done, in order, or none.
+/// A request of an operator: all deeds are done, in order, or none.
 struct OperatorRequest {
   std::string who;
-  std::uint64_t number = 0;       ///< from 1; of this operator's requests, each is done once
-  std::uint64_t fingerprint = 0;  ///< of its text: whether one with the same number is the same
+  std::uint64_t number = 0;       ///< from 1, unique among this operator's requests
+  std::uint64_t fingerprint = 0;  ///< hash of its text, to recognise a repeated request
   std::vector<OperatorDeed> deeds = {};
-  std::vector<std::string> problems = {};  ///< found when it was read
+  std::vector<std::string> problems = {};  ///< found when the request was read
 };
 
-/// A command that was issued, and what came of it.
+/// A command that was issued, and its state.
 struct IssuedCommand {
   CommandNumber command;
   std::string uav;
@@ -71,13 +72,13 @@ struct IssuedCommand {
   std::optional<MissionTime> settled = {};
 };
 
-/// What came of a request so far.
+/// The result of a request so far.
 struct OperatorAnswered {
   std::string who;
   std::uint64_t number = 0;
   bool accepted = false;
-  bool complete = false;  ///< refused, or all its commands came to their end
-  /// Why it was refused; of an accepted one, what of it could not be done. All at once.
+  bool complete = false;  ///< refused, or all its commands are settled
+  /// Why it was refused, all at once; of an accepted request, what could not be done.
   std::vector<std::string> problems = {};
   std::vector<IssuedCommand> commands = {};
 };
@@ -91,11 +92,11 @@ struct OperatorAsked {
   std::string why = {};
 };
 
-/// Who has a UAV in hand, and who asks for it.
+/// The operator who has a UAV in hand, and the one who asks for it.
 struct Hand {
   std::string holder = {};                    ///< empty: nobody
   std::string asker = {};                     ///< empty: nobody
-  std::optional<MissionTime> passes_at = {};  ///< then it is the asker's, unless it is kept
+  std::optional<MissionTime> passes_at = {};  ///< when it passes to the asker, unless it is kept
   bool operator==(const Hand&) const = default;
 };
 struct HandChanged {
@@ -103,7 +104,7 @@ struct HandChanged {
   Hand hand;
 };
 
-/// Actions of an operator, to be done as those of a script are.
+/// Actions of an operator, to be carried out like those of a script.
 struct DoActions {
   std::vector<Action> actions;
   std::string asked_by;

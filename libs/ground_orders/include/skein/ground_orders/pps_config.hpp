@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What perception processing goes by: what each device's looks are worth, and when belief becomes
-// an alarm.
+// Configuration of perception processing: the evidence of each device, and the thresholds of
+// belief.
 #pragma once
 
 #include <map>
@@ -13,33 +13,33 @@
 
 namespace skein::ground_station {
 
-/// Of devices of well-known names whose model does not say: "fire-sensor" and "ir" raise, "visible"
-/// confirms, "mapping" is weak evidence.
+/// Evidence by well-known device names, for models that do not state it: "fire-sensor" and "ir"
+/// raise, "visible" confirms, "mapping" is weak evidence.
 std::map<std::string, world::SensorEvidence, std::less<>> default_devices();
 
 struct PpsConfig {
-  /// By device name; devices that are not here are logged and give no evidence.
+  /// By device name; looks of other devices are logged and give no evidence.
   std::map<std::string, world::SensorEvidence, std::less<>> devices = default_devices();
-  /// By UAV and device: what the UAV's model says, which counts before the name.
+  /// By UAV and device, from the UAVs' models; takes precedence over `devices`.
   std::map<std::pair<std::string, std::string>, world::SensorEvidence> models = {};
-  double prior = 0.1;     ///< belief in a new candidate before the look that made it
-  double raise = 0.9;     ///< belief from which a candidate is an alarm
-  double confirm = 0.97;  ///< belief from which a confirming device's sight confirms it
-  double infirm = 0.05;   ///< belief down to which a raised alarm is infirmed, a candidate dropped
+  double prior = 0.1;     ///< belief in a new candidate before its first look
+  double raise = 0.9;     ///< a candidate with at least this belief becomes an alarm
+  double confirm = 0.97;  ///< an alarm with at least this belief may be confirmed by sight
+  double infirm = 0.05;   ///< at most this belief infirms a raised alarm, or drops a candidate
   double gate =
       3;  ///< association distance, in standard deviations of detection and candidate together
   /// [m] places closer than this are one fire: a burning patch scatters detections further than the
   /// errors of the sensors do, and one outlier must not raise a second alarm beside the first.
   double least_separation = 25;
   double least_spread = 2;      ///< [m] lower bound on a detection's standard deviation
-  double least_confidence = 0;  ///< detections below it are not considered
-  double refine_distance = 10;  ///< [m] an alarm that moved by it is told again
+  double least_confidence = 0;  ///< detections with less confidence are ignored
+  double refine_distance = 10;  ///< [m] an alarm that moved by more is reported again
   Duration decorrelation =
       Duration::milliseconds(1000);  ///< looks of one device closer than this are one
   Duration forget =
       Duration::milliseconds(300'000);  ///< candidates not seen for this long are dropped
-  /// An alarm that is still seen is told again so often, and is as old as it was seen last for who
-  /// watches it; zero: only when it changed, and it does not age.
+  /// Interval after which an alarm that is still seen is reported again; its receivers then take
+  /// its age from its last sighting. Zero: it is reported only when it changes, and does not age.
   Duration tell_again = {};
 };
 

@@ -28,11 +28,11 @@ struct Trigger;
 struct AtTime {
   MissionTime at;
 };
-/// An alarm entered the state: raised and confirmed of any alarm, infirmed of the mission's subject
-/// if it has one (see MissionPlanning).
+/// An alarm entered the state. Without `id`: kRaised and kConfirmed match any alarm, kInfirmed only
+/// the mission's subject alarm, if there is one (see MissionPlanning).
 struct OnAlarm {
   AlarmState state = AlarmState::kRaised;
-  AlarmId id = {};  ///< 0: not one in particular
+  AlarmId id = {};  ///< 0: none in particular
 };
 /// The task entered the state, on board or, at degree 1, at the ground.
 struct OnTask {
@@ -40,7 +40,7 @@ struct OnTask {
   executive::TaskId task;
   executive::TaskState state = executive::TaskState::kEnded;
 };
-/// An operator acted: scripted or live.
+/// An operator, scripted or live, did the action.
 struct OnOperator {
   std::string does;
 };
@@ -48,8 +48,8 @@ struct OnOperator {
 struct OnStep {
   std::string step;
 };
-/// A command that the step asked for has expired: it was not delivered in its lifetime, or not
-/// answered. Whether it was carried out is then not known.
+/// A command of the step expired: it was not delivered in its lifetime, or not answered. Whether it
+/// was carried out is unknown.
 struct OnExpired {
   std::string step;
 };
@@ -57,14 +57,14 @@ struct OnExpired {
 struct OnRestart {
   std::string uav;
 };
-/// The ground station has had no radio contact with the UAV for so long, since the mission's start
-/// or since contact was lost. One silence comes about once; instants at which the ground station
-/// itself was away do not count.
+/// The ground station has had no radio contact with the UAV for `lasts`, since the mission's start
+/// or since the loss of contact. Occurs once per silence; times at which the ground station itself
+/// was down do not count.
 struct OnSilence {
   std::string uav;
   Duration lasts;  ///< > 0
 };
-/// The unit mission came to this.
+/// The unit mission came to the stage.
 struct OnMission {
   std::string uav;
   mission::MissionId mission;
@@ -86,22 +86,22 @@ struct OnTeamTask {
   mission::GoalId task;
   auction::Stage stage = auction::Stage::kDone;
 };
-/// A global mission came to this.
+/// A global mission came to the stage.
 struct OnGlobalMission {
   mission::MissionId mission;
   GlobalStage stage = GlobalStage::kDone;
 };
-/// All have happened, in any order.
+/// All of the triggers have occurred, in any order.
 struct AllOf {
   std::vector<Trigger> of;
 };
-/// One has happened.
+/// One of the triggers has occurred.
 struct AnyOf {
   std::vector<Trigger> of;
 };
 
-/// What happened once has happened: a leaf is remembered from the mission's start until its step is
-/// done. AllOf nothing has happened at once, AnyOf nothing never does.
+/// The occurrence of a leaf is remembered from the mission's start until its step is done. An empty
+/// AllOf occurs at once, an empty AnyOf never.
 struct Trigger {
   std::variant<AtTime, OnAlarm, OnTask, OnOperator, OnStep, OnExpired, OnRestart, OnSilence,
                OnMission, OnGoal, OnDegree, OnTeamTask, OnGlobalMission, AllOf, AnyOf>
@@ -110,25 +110,25 @@ struct Trigger {
 
 // ---- where ----
 
-/// Points [m, ENU] known beforehand: coordinates, or a named place that the reader looked up.
+/// Fixed points [m, ENU]: coordinates, or a named place looked up by the scenario reader.
 struct AtPoints {
   std::vector<world::Vector3> points;
 };
-/// A point seen from the subject alarm's position.
+/// A point relative to the subject alarm's position.
 struct NearAlarm {
   double bearing = 0;   ///< [rad] from the alarm, ENU counter-clockwise from east
   double distance = 0;  ///< [m] horizontal, >= 0
   double altitude = 0;  ///< [m] above the ground at that point
 };
-/// A boustrophedon. Each leg is level, `altitude` above the highest ground under it and under the
-/// ways to its neighbours: the whole way clears the ground by as much.
+/// A boustrophedon over a zone. Each leg is level, `altitude` above the highest ground under it and
+/// under the ways to its neighbour legs, so that the whole way clears the ground by `altitude`.
 struct OverZone {
   world::Polygon zone;
   double spacing = 0;         ///< [m] > 0
   double altitude = 0;        ///< [m] above ground
   bool around_alarm = false;  ///< begins at the leg nearest to the subject alarm
 };
-/// The subject alarm's position itself: what a camera is pointed at.
+/// The subject alarm's position itself, as the target of a camera.
 struct TheAlarm {};
 
 /// Resolved to points when the task is sent, into the task parameter `parameter` (flat: x, y, z,
@@ -143,7 +143,7 @@ struct Target {
 struct PlannedTask {
   executive::Task task;
   executive::InsertionMode mode = executive::InsertionMode::kSeq;
-  std::vector<Target> targets;  ///< none: the task goes out as it is
+  std::vector<Target> targets;  ///< empty: the task is sent unchanged
 };
 
 /// Sends the tasks in order, one START each.
@@ -151,8 +151,8 @@ struct SendPlan {
   std::string uav;
   std::vector<PlannedTask> tasks;
 };
-/// Aborts the tasks, in order; without any, all that the board shows as not yet terminal, highest
-/// id first (so that a cascade finds nothing to start).
+/// Aborts the tasks, in order. Absent: all tasks that the board shows as not terminal, highest id
+/// first (so that the end of one task starts no other).
 struct AbortTasks {
   std::string uav;
   std::optional<std::vector<executive::TaskId>> tasks;
@@ -162,7 +162,7 @@ struct SendMessage {
   std::string uav;
   std::string text;
 };
-/// UPDATE-COND: what is absent stays.
+/// UPDATE-COND: absent conditions stay unchanged.
 struct UpdateConditions {
   std::string uav;
   executive::UpdateConditions update;
@@ -170,11 +170,11 @@ struct UpdateConditions {
 
 /// An argument of a high-level task that becomes a location [m] ENU when the mission is sent.
 struct ArgumentTarget {
-  std::size_t task = 0;      ///< which of the mission's tasks, from 0
-  std::size_t argument = 0;  ///< which of its arguments, from 0; what is there is replaced
+  std::size_t task = 0;      ///< index of the mission's task, from 0
+  std::size_t argument = 0;  ///< index of the argument that is replaced, from 0
   std::variant<TheAlarm, NearAlarm> where;
 };
-/// Sends a unit mission to a UAV at degree 4. Its `asked_by`, when empty, becomes the step's or the
+/// Sends a unit mission to a UAV at degree 4. An empty `mission.asked_by` becomes the step's or the
 /// operator's name. Source: spec 6.2 (0), (1).
 struct SendMission {
   std::string uav;
@@ -191,19 +191,20 @@ struct SetDegree {
   std::string uav;
   mission::ChangeDegree change;
 };
-/// To degree 1: the ground station executes what the UAV had begun and decides on the rest.
+/// Takes the UAV to degree 1: the ground station executes the tasks that the UAV had begun, and its
+/// operator decides on the rest.
 struct TakeInHand {
   std::string uav;
-  bool interrupt = false;  ///< what runs is interrupted
+  bool interrupt = false;  ///< running tasks are interrupted
 };
-/// To the degree that the UAV had before it was last taken in hand; it goes on by itself.
+/// Returns the UAV to the degree that it had before it was last taken in hand.
 struct GiveBack {
   std::string uav;
 };
 /// Starts the tasks of the plan that a UAV handed over, in the order of ids.
 struct ResumePlan {
   std::string uav;
-  std::vector<executive::TaskId> without = {};  ///< are discarded
+  std::vector<executive::TaskId> without = {};  ///< tasks that are discarded
 };
 /// Discards the plan that a UAV handed over.
 struct DropPlan {
@@ -212,20 +213,20 @@ struct DropPlan {
 /// Tells UAVs that a volume of air is closed. Source: spec 6.2 (6).
 struct CloseAir {
   world::Volume volume;
-  std::vector<std::string> uavs = {};  ///< none: all
+  std::vector<std::string> uavs = {};  ///< empty: all
 };
-/// Tells UAVs that it is open again.
+/// Tells UAVs that the volume `name` is open again.
 struct OpenAir {
   std::string name;
   std::vector<std::string> uavs = {};  ///< none: all
 };
-/// Tells UAVs what is known of a place or of the ground. Source: spec 4.1, 6.2 (6).
+/// Tells UAVs of a change of a place or of the ground. Source: spec 4.1, 6.2 (6).
 struct TellWorld {
   mission::ChangeWorld change;
   std::vector<std::string> uavs = {};  ///< none: all
 };
-/// Gives the team a mission. Its `asked_by`, when empty, becomes the step's or the operator's name.
-/// Source: spec 6.3.
+/// Gives the team a global mission. An empty `mission.asked_by` becomes the step's or the
+/// operator's name. Source: spec 6.3.
 struct SendGlobalMission {
   team::GlobalMission mission;
   std::vector<ArgumentTarget> targets;
@@ -244,10 +245,11 @@ struct Step {
   Trigger when;
   Duration after;  ///< from the trigger to the actions, >= 0
   std::vector<Action> actions;
-  bool once = true;  ///< else it is armed again after it was done, at most once per second
+  bool once = true;  ///< false: it is armed again after it was done, at most once per second
 };
 
-/// What an operator does during the mission: himself (`actions`), or by what steps make of it.
+/// An action of a scripted operator during the mission, with its own `actions`; steps may also wait
+/// for it (OnOperator).
 struct OperatorAction {
   std::string does;
   Trigger when;
@@ -261,12 +263,12 @@ struct Script {
   Duration command_lifetime = Duration::milliseconds(60'000);  ///< of every request sent, > 0
 };
 
-/// Who asked for what a step does, as commands say it (`asked_by`).
+/// The `asked_by` of commands that come from the step.
 std::string asked_by_step(const std::string& step);
 
-/// What is wrong with a script in itself, in sentences, all at once; empty when it is fine: step
-/// names that are empty or twice there, triggers on unknown steps, silences of no length, negative
-/// delays. (Operators may also act live, so any operator action may be waited for.)
+/// The errors of a script in itself, in sentences, all at once; empty when it is fine: empty or
+/// duplicate step names, triggers on unknown steps, silences of no length, negative delays. (Since
+/// operators may also act live, OnOperator may name any action.)
 std::vector<std::string> problems_of(const Script& script);
 
 }  // namespace skein::ground_station

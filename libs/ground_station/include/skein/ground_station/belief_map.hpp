@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where it burns and where it does not, as far as sensors have looked.
+// Belief in fire per cell of a grid, from what sensors saw and did not see.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,13 @@
 
 namespace skein::ground_station {
 
-/// Belief in a fire for each cell of a grid, by the rule of PerceptionProcessing for one place, the
-/// middle of the cell: it starts at the prior, each look of a device adds its evidence, seen or not
-/// seen, and what one device says is held within its limit. A detection counts where it may have
-/// come from: within its gate. What it does not do is tell fires apart, move them or forget them:
-/// it shows what was searched, and is for people.
+/// Belief in a fire for each cell of a grid, by the rule of PerceptionProcessing applied to the
+/// cell's middle: it starts at the prior, each look of a device adds evidence, whether it detects
+/// something or not, and the sum of each device's evidence is kept within its limit. A detection
+/// counts for all cells within its gate. Fires are not told apart, moved or forgotten: the map is a
+/// display of what was searched.
 ///
-/// Of one device looks closer than the decorrelation time count once, wherever they look.
+/// Looks of one device closer in time than the decorrelation time count once, wherever they look.
 /// Deterministic. Thread rule: one thread. Memory: 4 byte for each device and cell. Cost of a look:
 /// O(cells within its range + cells in view × cells of terrain on the way).
 /// Source: T VI.1.1 (the algorithm is ours, the seeds give none).
@@ -31,10 +31,10 @@ class BeliefMap {
   /// Precondition: problems_of(config) is empty. The terrain must outlive this.
   BeliefMap(PpsConfig config, const world::Terrain& terrain, const world::Grid& grid);
 
-  /// The rows of the grid in which something changed, from the south.
+  /// Adds a look. Returns the rows of the grid in which cells changed, counted from the south.
   std::vector<std::size_t> handle(const world::Perception& look);
 
-  /// In (0, 1); absent: no look has said anything of that cell.
+  /// Probability of a fire in the cell, in (0, 1); absent: no look has given evidence on it.
   std::optional<double> belief(std::size_t cell) const;
   const world::Grid& grid() const { return grid_; }
 

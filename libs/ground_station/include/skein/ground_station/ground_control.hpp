@@ -31,8 +31,9 @@ struct PerceptionReceived {
 struct GroundUav {
   std::string name;
   Degree degree = 3;  ///< at the start
-  /// Of the MLE that the ground runs for it at degree 1; its name is replaced by the UAV's. Should
-  /// be as the UAV's own, so that a degree makes no difference to its plans.
+  /// Configuration of the MLE that the ground runs for the UAV at degree 1; the name in it is
+  /// replaced by the UAV's. Should equal that of the UAV's own MLE, so that plans run alike at all
+  /// degrees.
   executive::Config executive = {};
 };
 
@@ -40,50 +41,49 @@ struct GroundConfig {
   std::vector<GroundUav> uavs;  ///< names differ
   Script script = {};
   PpsConfig pps = {};
-  std::vector<ObjectSpec> objects = {};                  ///< that are followed
+  std::vector<ObjectSpec> objects = {};                  ///< the objects to track
   Duration reply_grace = Duration::milliseconds(5'000);  ///< see Monitoring
   MissionKnowledge missions = {};
-  bool dates = false;  ///< UAVs are told here when others come to meet them
-  /// Of the requests that bring the tasks run here to a UAV whose degree goes up.
+  bool dates = false;  ///< the ground relays to UAVs the dates at which partners come to meetings
+  /// Lifetime of the requests that transfer tasks of the MLE here to a UAV whose degree goes up.
   Duration transfer_lifetime = Duration::seconds(600);
 };
 
-/// Routes what comes in to its components and their effects to each other, in order, until only
-/// effects for the outside are left.
+/// Routes inputs to its components, and their effects to each other, in order, until only effects
+/// for the outside are left.
 ///
 /// Who executes (T II.2, spec 1.2): at degree 1 a request goes to the UAV's MLE here, whose
 /// dispatches and interruptions become SendFunctional; at degrees 2 and up to the UAV's own MLE, as
-/// SendRequest. A request about a task goes to the MLE that holds the task, so that what runs
-/// across a change of degree stays commanded; requests that come while a change of degree is under
-/// way wait for its outcome. Missions, cancellations, changes of degree and of the world go to the
-/// UAV's decision node.
+/// SendRequest. A request about a task goes to the MLE that holds the task, so that a task that
+/// runs across a change of degree can still be commanded; requests that come while a change of
+/// degree is under way wait for its outcome. Missions, cancellations, changes of degree and of the
+/// world go to the UAV's decision node.
 ///
-/// Hand-over is a transfer of the plan (ADR 9). Going to degree 1, the MLE here starts what the
-/// UAV's had, under the same ids; what is under way is dispatched again, which the functional layer
-/// answers without doing it twice. Going up, the tasks of the MLE here are sent to the UAV as START
-/// in the same way; a dispatch that finds the node changed is refused after the hand-over, since
-/// events keep their order, and is then no longer ours. Synchronisation messages known here go with
-/// them. What was only planned is held here: commands about it edit it, ResumePlan starts it,
-/// DropPlan discards it.
+/// Hand-over is a transfer of the plan (ADR 9). Going to degree 1, the MLE here starts the tasks of
+/// the UAV's MLE under the same ids; tasks under way are dispatched again, which the functional
+/// layer answers without executing them twice. Going up, the tasks of the MLE here are sent to the
+/// UAV as START in the same way; a dispatch from here that arrives after the change is refused,
+/// after the hand-over, since events keep their order, and is ignored. Synchronisation messages
+/// known here are transferred, too. Tasks that were only planned are held here: commands about them
+/// edit them, ResumePlan starts them, DropPlan discards them.
 ///
-/// A state of a task is news once: states that a transferred task goes through again are not told.
+/// Each state of a task is reported once: states that a transferred task repeats are not reported.
 ///
-/// Who relays: a synchronisation message goes to the MLE here if its receiver's degree is 1; else
-/// it is sent on (SendSync), and again when the receiver comes back in reach or restarts. Messages
-/// between UAVs for which synchronises_directly() holds never come here.
+/// Relaying: a synchronisation message goes to the MLE here if its receiver's degree is 1; else it
+/// is sent on (SendSync), and again when the receiver comes back in reach or restarts. Messages
+/// between UAVs for which synchronises_directly() holds do not pass here.
 ///
-/// When the node of a UAV whose MLE is here restarts, what that MLE has under way is asked for
-/// again; a functional layer answers a request that it has already had, and does not execute it
-/// twice.
+/// When the node of a UAV whose MLE is here restarts, the tasks that this MLE has under way are
+/// dispatched again; a functional layer answers a repeated request without executing it twice.
 ///
 /// Roles that are played here (PlayRole) end with any change of the UAV's degree, with a restart of
 /// its decision node, and by an ABORT of the joint task.
 ///
-/// Operators ask by requests (OperatorDesk); what they want done goes the same ways as what the
-/// script does.
+/// Operators send requests (OperatorDesk); their actions are carried out as those of the script
+/// are.
 ///
-/// Instants due before an input come before it. The same inputs at the same instants give the same
-/// effects. Not safe to share between threads. Source: T II.1, VI.1.1, spec 1.1, 1.2, 1.5.
+/// Timers due before an input are handled before it. The same inputs at the same instants give the
+/// same effects. Not safe to share between threads. Source: T II.1, VI.1.1, spec 1.1, 1.2, 1.5.
 class GroundControl {
  public:
   using Input =
@@ -114,22 +114,22 @@ class GroundControl {
   std::optional<MissionTime> next_wakeup() const;
 
   Board board(MissionTime now) const;
-  /// In the order configured.
+  /// Names of the UAVs, in the order configured.
   const std::vector<std::string>& uavs() const { return monitoring_.uavs(); }
-  /// As on the board, but for what is held: without a copy, which costs all tasks of the mission.
-  /// Precondition: it is one of uavs(). Valid until the next input.
+  /// The UAV's entry of board(), except `held`, without copying all tasks of the mission.
+  /// Precondition: `name` is one of uavs(). Valid until the next input.
   const UavOnBoard& uav(const std::string& name) const { return monitoring_.uav(name); }
   std::size_t held_of(const std::string& uav) const { return held_.of(uav).size(); }
   std::vector<Alarm> alarms() const { return perception_.alarms(); }
   const OperatorDesk& desk() const { return desk_; }
   std::vector<std::string> answers() const { return planning_.answers(); }
-  /// Closed since the start and not opened again, by name.
+  /// Volumes that were closed during the mission and not opened again, by name.
   const std::map<std::string, world::Volume>& closed_air() const { return air_; }
   const std::string& phase() const { return planning_.phase(); }
   bool finished() const { return planning_.finished(); }
 
  private:
-  /// An input of the MLE here of `uav`; with `command`, its reply answers that command.
+  /// An input for the MLE here of `uav`; with `command`, its reply answers that command.
   struct LocalInput {
     std::string uav;
     executive::Input input;
@@ -138,9 +138,9 @@ class GroundControl {
   struct LocalMle {
     executive::Executive executive;
     std::optional<bool> airborne;                               ///< as last told to it
-    std::map<executive::TaskId, mission::GoalId> origins = {};  ///< of what came from on board
+    std::map<executive::TaskId, mission::GoalId> origins = {};  ///< goals of transferred tasks
   };
-  /// What is still to be handed to a component.
+  /// An input still to be passed to a component.
   using Errand = std::variant<Monitoring::Input, MissionPlanning::Input, LocalInput, PlayRole>;
   using Effects = std::vector<Effect>;
 
@@ -198,7 +198,7 @@ class GroundControl {
   std::map<std::string, LocalMle> local_;
   std::deque<Errand> errands_;
   HeldPlans held_;
-  /// Synchronisation messages that came by here, by receiver: the last of each id and sender.
+  /// Synchronisation messages seen here, by receiver: the last one of each id and sender.
   std::map<std::string, std::map<std::pair<std::uint64_t, std::string>, executive::SyncReceived>>
       syncs_;
   std::map<std::string, world::Volume> air_;

@@ -11,22 +11,22 @@
 
 namespace skein::ground_station {
 
-/// What was only planned when a UAV's degree went below 4 waits here until an operator resumes,
-/// edits or drops it. A value; not safe to share between threads. Source: spec 1.2.
+/// Keeps the tasks that were only planned when a UAV's degree went below 4, until an operator
+/// resumes, edits or drops them. A value; not safe to share between threads. Source: spec 1.2.
 class HeldPlans {
  public:
-  /// The tasks come on top of what is held already; one that is held is replaced. Gives how many
-  /// are held now.
+  /// Adds the tasks to those held; a task with the same id is replaced. Returns how many tasks of
+  /// the UAV are held now.
   std::size_t hold(const std::string& uav, const std::vector<mission::HeldTask>& tasks);
-  /// In the order of ids.
+  /// The held tasks of the UAV, by id.
   std::vector<mission::HeldTask> of(const std::string& uav) const;
-  /// All but `without`, which are discarded; nothing is held then. What waited for a discarded task
-  /// waits for what that one waited for.
+  /// Removes and returns the held tasks, except `without`, which are discarded: a task that waited
+  /// for a discarded one waits for the predecessors of that.
   std::vector<mission::HeldTask> take(const std::string& uav,
                                       const std::vector<executive::TaskId>& without);
-  /// Discards all; gives how many there were.
+  /// Discards all held tasks; returns how many there were.
   std::size_t drop(const std::string& uav);
-  /// Discards the tasks of one high-level task, as `take` does; gives how many there were.
+  /// Discards the tasks of one high-level task, as take() does; returns how many there were.
   std::size_t drop(const std::string& uav, mission::GoalId goal);
 
   struct Answer {
@@ -34,8 +34,8 @@ class HeldPlans {
     std::string why = {};
     std::size_t dropped = 0;  ///< tasks
   };
-  /// A request about a task that is held edits the plan: ABORT and SUPPRESS discard the task,
-  /// UPDATE-COND changes its conditions; START of its id is refused. Nothing: about no such task.
+  /// Applies a request about a held task: ABORT and SUPPRESS discard the task, UPDATE-COND changes
+  /// its conditions, START with its id is refused. Absent: the request is not about a held task.
   std::optional<Answer> edit(const std::string& uav, const Request& request);
 
  private:

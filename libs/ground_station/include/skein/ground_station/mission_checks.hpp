@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the ground can know to be wrong with a request before it is sent.
+// Checks of requests at the ground, before they are sent.
 #pragma once
 
 #include <algorithm>
@@ -15,23 +15,23 @@
 
 namespace skein::ground_station {
 
-/// What missions are checked against.
+/// The data that missions are checked against.
 struct MissionKnowledge {
-  /// Of the planning domain that the UAVs have. Absent: what a mission says is not checked here.
+  /// Vocabulary of the UAVs' planning domain. Absent: the statements of missions are not checked.
   std::optional<mission::Vocabulary> vocabulary = std::nullopt;
   std::vector<std::string> places = {}, zones = {};
-  /// By UAV; the devices of one that is not here are not checked.
+  /// By UAV; the devices of a UAV without an entry are not checked.
   std::map<std::string, world::VehicleModel> vehicles = {};
-  /// Joint tasks and the versions of their interaction models that the ground has.
+  /// Types of joint tasks, and the versions of their interaction models that the ground has.
   ModelVersions joint_tasks = {};
-  /// Of these, those of whose roles the ground station may play some.
+  /// Types of joint tasks with roles that the ground station may play.
   std::set<std::string> by_ground = {};
 };
 
-/// Another UAV, as the board has it.
+/// A UAV of the team, as the board has it.
 struct Teammate {
   Degree degree = 3;
-  ModelVersions models = {};  ///< that it told to have; none: it told nothing yet
+  ModelVersions models = {};  ///< that it reported to have; empty: no report yet
 };
 
 /// The request's addressee, as the board has it.
@@ -39,11 +39,11 @@ struct Addressee {
   std::string name;
   Degree degree = 3;
   const std::vector<mission::GoalStatus>& goals;
-  std::map<std::string, Teammate> team = {};  ///< it is among them; empty: nothing is known
+  std::map<std::string, Teammate> team = {};  ///< including the addressee; empty: unknown
 };
 
-/// Refuses at the ground what no UAV could accept, so that an operator has every reason at once and
-/// a UAV's plan stays untouched. A value; not safe to share between threads while it is assigned.
+/// Finds the requests that no UAV could accept, so that an operator gets every reason at once and
+/// the UAV's plan stays untouched. A value; not safe to share between threads while it is assigned.
 class MissionChecks {
  public:
   MissionChecks() = default;
@@ -55,11 +55,11 @@ class MissionChecks {
     if (std::find(places.begin(), places.end(), name) == places.end()) places.push_back(name);
   }
 
-  /// Every reason why the request makes no sense, in sentences; empty when it may be sent. Requests
-  /// to an MLE are its own business. Source: spec 1.2, 6.2.
+  /// Every reason why the request is invalid, in sentences; empty: it may be sent. Requests to an
+  /// MLE are left to that MLE. Source: spec 1.2, 6.2.
   std::vector<std::string> problems_of(const Request& request, const Addressee& to,
                                        MissionTime now) const;
-  /// Likewise, of a joint task in which the ground is to play the role of `to`.
+  /// The same for a joint task in which the ground is to play the role of `to`.
   std::vector<std::string> problems_of(const mission::HighLevelTask& played, const Addressee& to,
                                        MissionTime now) const;
 

@@ -17,20 +17,20 @@
 
 namespace skein::ground_station {
 
-/// Steps and scripted operator actions wait, all at once, for their triggers. When a trigger has
-/// come, and the delay after it passed, the actions are done in order, then the step's end is told
-/// to the others. Of several that are due, the earliest goes first; of one instant, operators
-/// before steps, then in the order written. What triggers ask for does not depend on the UAVs'
-/// degrees.
+/// Steps and scripted operator actions wait concurrently for their triggers. When a trigger has
+/// occurred, and the delay after it has passed, the actions are done in order, and then the step
+/// counts as done for the triggers of others (OnStep). Of several that are due, the earliest goes
+/// first; at one instant, operators before steps, then in the order written. Triggers work alike at
+/// all degrees of the UAVs.
 ///
-/// The mission has at most one subject alarm, which targets are about: that of the OnAlarm of the
-/// step last done that has one, always with its latest estimate; until then, the first alarm
-/// raised. A step's targets are resolved when it is done; a task, or a mission, whose target cannot
-/// be is not sent (anomaly).
+/// Targets refer to the mission's subject alarm: the alarm of the OnAlarm in the step last done
+/// that has one, with its latest estimate; before any such step, the first alarm raised. A step's
+/// targets are resolved when it is done; a task or a mission whose target cannot be resolved is not
+/// sent (anomaly).
 ///
-/// Deterministic. Not safe to share between threads. Cost of an input: O(triggers of the script
-/// that are armed and wait for more than an instant that is to come). Source: T VI.1.1, VI.1.3 (the
-/// ground sent task lists with their dependencies), spec 8.1.
+/// Deterministic. Not safe to share between threads. Cost of an input: O(armed triggers of the
+/// script, except those that wait only for a future instant). Source: T VI.1.1, VI.1.3 (the ground
+/// sent task lists with their dependencies), spec 8.1.
 class MissionPlanning {
  public:
   using Input = std::variant<Tick, AlarmEvent, AlarmRefined, TaskChanged, UavRestarted,
@@ -48,7 +48,7 @@ class MissionPlanning {
   std::vector<Effect> handle(const Input& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const { return wakeup_; }
 
-  /// What operators may do that a step waits for, in the order written.
+  /// The operator actions (OnOperator) that armed steps wait for, in the order written.
   std::vector<std::string> answers() const;
 
   bool finished() const { return finished_; }
@@ -60,7 +60,8 @@ class MissionPlanning {
     const Trigger* trigger;
     std::optional<MissionTime> at;
     AlarmId alarm;  ///< of an OnAlarm that has happened
-    /// It lasts: an instant that was passed, or a silence, when the step was last done.
+    /// For triggers that last (a passed instant, a silence): it had occurred when the step was last
+    /// done, and does not trigger it again.
     bool used = false;
   };
   /// A step or an operator action.
@@ -80,9 +81,9 @@ class MissionPlanning {
   template <class What, class Matches>
   void mark(MissionTime at, const Matches& matches);
   void mark_instants(MissionTime now);
-  /// When it comes about by itself.
+  /// When the leaf occurs by the passing of time; absent: not so.
   std::optional<MissionTime> instant_of(const Leaf& leaf) const;
-  /// Since when; nothing while it is heard.
+  /// Since when there has been no contact with the UAV; absent: there is contact.
   std::optional<MissionTime> silent_since(const std::string& uav) const;
   void note_contact(const PeerReachable& contact, MissionTime now);
   void note(const Input& input, MissionTime now, Effects& effects);
@@ -94,7 +95,7 @@ class MissionPlanning {
   Waiting* next_due(MissionTime now);
   void do_now(const DoActions& deed, MissionTime now, Effects& effects);
   void fire(Waiting& waiting, MissionTime now, Effects& effects);
-  /// For whom actions are done, until when their commands live, and where their effects go.
+  /// Context of actions: who asked for them, the expiry of their commands, and their effects.
   struct Deed {
     std::string asked_by;
     MissionTime expires;
@@ -120,24 +121,25 @@ class MissionPlanning {
   void perform(const DeclareLost& action, const Deed& deed);
   void perform(const PlayRole& action, const Deed& deed);
   void perform(const Finish& action, const Deed& deed);
-  /// Puts what targets are resolved to in the place of their arguments; or says why not.
+  /// Replaces arguments by their resolved targets; returns why that fails, empty if it does not.
   std::string put_targets(const std::vector<ArgumentTarget>& targets,
                           const std::vector<mission::HighLevelTask*>& tasks) const;
   const Alarm* subject() const;
 
   Script script_;
   const world::Terrain& terrain_;
-  /// Those that wait, by their rank: operators' actions, then steps, each in the order written.
+  /// Waiting operator actions and steps, by rank: operator actions, then steps, in the order
+  /// written.
   std::map<std::size_t, Waiting> awake_;
-  /// Those that nothing but an instant can wake, by that and their rank.
+  /// Those that wait only for an instant, by instant and rank.
   std::map<std::pair<MissionTime, std::size_t>, Waiting> asleep_;
-  /// Of UAVs that were heard: since when not any more.
+  /// Since when there has been no contact, by UAV; absent: there is contact.
   std::map<std::string, std::optional<MissionTime>> silent_since_;
   std::map<AlarmId, Alarm> alarms_;
   AlarmId subject_;
   std::string phase_;
   bool finished_ = false;
-  std::optional<MissionTime> wakeup_;  ///< as after the last input: a script may be long
+  std::optional<MissionTime> wakeup_;  ///< cached after each input, since a script may be long
 };
 
 }  // namespace skein::ground_station

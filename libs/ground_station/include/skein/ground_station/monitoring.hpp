@@ -22,19 +22,19 @@ struct UavOnBoard {
   bool reachable = false;
   bool airborne = false;
   std::optional<world::VehicleState> telemetry;  ///< the last
-  MissionTime telemetry_at;                      ///< when it was so
+  MissionTime telemetry_at;                      ///< when `telemetry` was measured
   TaskBoard tasks;
   std::size_t commands_pending = 0;
   /// High-level tasks, in the order of the UAV's high-level plan.
   std::vector<mission::GoalStatus> goals;
   mission::PlanReport plan;  ///< the last; revision 0: none
-  /// What the UAV's supervisor did last, oldest first; not more than kDecisionsKept.
+  /// The last decisions of the UAV's supervisor, oldest first; at most kDecisionsKept.
   std::deque<mission::Decision> decisions;
-  /// What missions would cost that it was asked to evaluate: the last answer to each.
+  /// The last answer to each mission that the UAV was asked to evaluate.
   std::map<mission::MissionId, mission::MissionOutcome> evaluations;
-  /// What it handed over and nobody carries out until it is resumed, in the order of ids.
+  /// Tasks that the UAV handed over and that nobody executes until they are resumed, by id.
   std::vector<mission::HeldTask> held;
-  /// In hand, the last time; absent: it never was.
+  /// The degree before the UAV was last taken in hand; absent: it never was.
   std::optional<Degree> degree_before_taken;
 
   static constexpr std::size_t kDecisionsKept = 20;
@@ -46,32 +46,31 @@ struct Board {
   std::vector<UavOnBoard> uavs;
 };
 
-/// The task that a person would say the UAV is doing: the lowest that is started or running and
-/// moves it (takeoff, goto, land, wait) or, if none, the lowest started or running one; null when
-/// it does nothing. Valid as long as `uav` is.
+/// The task to show as the UAV's present one: among its started or running tasks, the one with the
+/// lowest id that moves it (takeoff, goto, land, wait) or, if there is none, the one with the
+/// lowest id; null if no task is started or running. Valid as long as `uav` is.
 const TaskOnBoard* current_task(const UavOnBoard& uav);
 
 /// A command is pending from its issue until exactly one of
 ///   acknowledged   its MLE accepted it,
-///   refused        its MLE or decision node refused it, it makes no sense (MissionChecks), its UAV
-///                  is unknown, or what it is about was lost in a restart,
+///   refused        its MLE or decision node refused it, it is invalid (MissionChecks), its UAV is
+///                  unknown, or its task was lost in a restart,
 ///   expired        it could not be delivered, or no answer came by `expires` + `grace`.
-/// Meanwhile it is told once that it was delivered: by CommandDelivered, or by the answer of its
-/// MLE, which proves it. So what is acknowledged was delivered before. What comes later about it is
-/// reported as an anomaly and changes nothing. It is sent when issued, and again, under its number,
-/// when its UAV's node restarted meanwhile.
+/// Meanwhile its delivery is reported once: on CommandDelivered, or on the answer of its MLE, which
+/// proves it; so each acknowledged command was delivered before. Later inputs about a settled
+/// command are reported as anomalies and change nothing. A command is sent when issued, and again
+/// with the same number if its UAV's node restarts meanwhile.
 ///
-/// A change of degree decides on who gets the commands after it. From its sending on, other
-/// commands to the UAV wait, in order, until the UAV handed over its plan or the change came to
-/// nothing (ChangeSettled), and then until ReleaseCommands. The degree on plan boards is
-/// set aside meanwhile, and disregarded when something later told the degree.
+/// A change of degree determines the receiver of later commands. Once it is sent, other commands to
+/// the UAV wait, in order, until the UAV has handed over its plan or the change has failed
+/// (ChangeSettled), and then until ReleaseCommands. The degree on plan boards is not used
+/// meanwhile, and ignored if the degree was told later by another message.
 ///
-/// Task states come by events and by plan boards, in any order and more than once; each is told
-/// once and the board never goes back (scheduled, started, running, aborting, then ended or
-/// aborted), but for a task that was lost and is started anew.
+/// Task states come by events and by plan boards, in any order and more than once. Each state is
+/// reported once, and the board never goes back (scheduled, started, running, aborting, then ended
+/// or aborted), except for a task that was lost and is started anew.
 ///
-/// The background routine's tasks are on the board but are no command's business: AbortEverything
-/// leaves them.
+/// The background routine's tasks are on the board, but AbortEverything does not abort them.
 ///
 /// Deterministic. Not safe to share between threads. Cost of an input: O(log) in tasks and
 /// commands, but O(tasks of the UAV) for a restart or a plan board. Source: T VI.1.1,
@@ -91,35 +90,36 @@ class Monitoring {
     Degree degree = 3;  ///< until its plan board says otherwise
   };
 
-  /// How long after its expiry a command's answer may still be under way.
+  /// `grace`: how long after a command's expiry its answer may still be under way.
   explicit Monitoring(const std::vector<Uav>& uavs, Duration grace = Duration::milliseconds(5'000),
                       MissionChecks checks = {});
 
   std::vector<Effect> handle(const Input& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
 
-  /// Missions may name the place from now on.
+  /// Adds a place that missions may name.
   void know_place(const std::string& name) { checks_.know_place(name); }
 
-  /// Why the role cannot be played here, all reasons at once.
+  /// Every reason why the role cannot be played at the ground, in sentences; empty: it can.
   std::vector<std::string> problems_of(const PlayRole& play, MissionTime now) const;
 
   Board board(MissionTime now) const;
-  /// In the order configured.
+  /// Names of the UAVs, in the order configured.
   const std::vector<std::string>& uavs() const { return order_; }
-  /// What is known of it, without a copy. Precondition: it is one of uavs(). Valid until the next
-  /// input.
+  /// The UAV's entry of board(), without a copy. Precondition: `name` is one of uavs(). Valid until
+  /// the next input.
   const UavOnBoard& uav(const std::string& name) const { return uavs_.at(name).board; }
   /// 3 for an unknown UAV.
   Degree degree_of(const std::string& uav) const;
   bool knows(const std::string& uav) const { return uavs_.contains(uav); }
-  /// Absent when the UAV or the task is unknown. Of one that was over long ago: TaskBoard.
+  /// The task; absent if it or the UAV is unknown. For tasks that were over long ago see TaskBoard.
   std::optional<TaskOnBoard> find_task(const std::string& uav, executive::TaskId task) const;
-  /// Whether a TaskChanged was given for it; false when the UAV or the task is unknown or lost.
+  /// Whether TaskChanged was emitted for this state; false if the UAV or the task is unknown or
+  /// lost.
   bool has_told(const std::string& uav, executive::TaskId task, executive::TaskState state) const;
   /// Whether a START of the task is pending.
   bool is_being_started(const std::string& uav, executive::TaskId task) const;
-  /// The messages that its MLE, wherever it is, has acknowledged to have processed.
+  /// The messages (PROCESS-MSG) that the UAV's MLE, on board or here, has acknowledged.
   std::set<std::string> messages_of(const std::string& uav) const;
 
  private:
@@ -140,18 +140,18 @@ class Monitoring {
   struct Record {
     UavOnBoard board;
     ByteBook told_missions;                ///< a bit for each stage
-    std::optional<MissionTime> degree_at;  ///< when the last degree told was so
-    std::optional<MissionTime> goals_at;   ///< when the goals on the board were so
+    std::optional<MissionTime> degree_at;  ///< time of the last degree told
+    std::optional<MissionTime> goals_at;   ///< time of the goals on the board
     std::optional<Change> change;
     /// The last change that expired; it may have been made, and its hand-over be under way.
     std::optional<mission::ChangeDegree> unanswered;
-    std::deque<CommandNumber> waiting;  ///< for the change, in order
-    std::set<std::string> messages;     ///< that it has processed
-    ModelVersions models;               ///< of joint tasks, as it told
+    std::deque<CommandNumber> waiting;  ///< commands that wait for the change, in order
+    std::set<std::string> messages;     ///< that its MLE has processed
+    ModelVersions models;               ///< of joint tasks, as the UAV reported
   };
   using Effects = std::vector<Effect>;
 
-  // monitoring.cpp: what comes in about UAVs and tasks
+  // monitoring.cpp: inputs about UAVs and tasks
   void on(const Tick&, MissionTime, Effects&) {}
   void on(const TelemetryReceived& input, MissionTime now, Effects& effects);
   void on(const TaskEventReceived& input, MissionTime now, Effects& effects);

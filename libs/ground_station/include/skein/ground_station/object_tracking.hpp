@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects that move, followed by what sensors tell of them.
+// Tracking of moving objects by sensor detections.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace skein::ground_station {
 
-/// Where it was when it was seen last.
+/// The estimated position of an object at its last sighting.
 struct ObjectSeen {
   std::string name;
   std::string kind;
@@ -23,20 +23,20 @@ struct ObjectSeen {
   bool operator==(const ObjectSeen&) const = default;
 };
 
-/// A random walk seen by sensors of known spread, so the estimate follows by Kalman's gain. A
-/// detection of its kind within four standard deviations of both is it; the nearest, if there are
-/// several in a look. It is followed from the second sighting on that agrees with the one before
-/// (two-point initiation; Bar-Shalom, Li, Estimation with Applications to Tracking and Navigation,
-/// 2001, 5.5.3): a single one may be a false alarm of a sensor, and missions are planned anew where
-/// an object is said to be. Each is told when it is seen, not more often than every second of
-/// looks. Looks that come late count by how old they are. Deterministic. Cost of a look:
-/// O(detections × objects). Thread rule: one thread. Source: spec 7.6.
+/// Kalman filters, one for each object: a random walk observed by sensors of known spread. A
+/// detection of the object's kind within four standard deviations (of both together) is associated
+/// with it; of several in one look, the nearest. A track is confirmed by the second sighting that
+/// agrees with the one before (two-point initiation; Bar-Shalom, Li, Estimation with Applications
+/// to Tracking and Navigation, 2001, 5.5.3), since a single one may be a false alarm, and missions
+/// are planned anew when an object is reported elsewhere. Each sighting of a confirmed object is
+/// reported, at most once per second of look time. Late looks count by their age. Deterministic.
+/// Cost of a look: O(detections × objects). Thread rule: one thread. Source: spec 7.6.
 class ObjectTracking {
  public:
   /// Precondition: problems_of(objects) is empty.
   explicit ObjectTracking(std::vector<ObjectSpec> objects);
 
-  /// What is to be told of it. Figures that are not finite are disregarded.
+  /// Adds a look; returns the objects to report. Figures that are not finite are disregarded.
   std::vector<ObjectSeen> handle(const world::Perception& look);
 
  private:
@@ -44,13 +44,13 @@ class ObjectTracking {
     ObjectSpec spec;
     world::Vector3 position = world::Vector3::Zero();
     double variance = 0;                   ///< per axis [m²]
-    std::optional<MissionTime> seen = {};  ///< absent: it is thought to be there
-    bool sure = false;                     ///< two sightings agreed
-    std::optional<MissionTime> told = {};  ///< as seen then
+    std::optional<MissionTime> seen = {};  ///< last sighting; absent: `position` is assumed
+    bool sure = false;                     ///< confirmed: two sightings agreed
+    std::optional<MissionTime> told = {};  ///< sighting last reported
   };
-  /// Of those where it can have got to.
+  /// The detection associated with a track that has a sighting; null: none.
   static const world::Detection* sighting_of(const Track& track, const world::Perception& look);
-  /// Of those where it may be seen first.
+  /// The detection associated with a track that has no sighting yet; null: none.
   static const world::Detection* first_of(const Track& track, const world::Perception& look);
   static void begin(Track& track, const world::Detection& sighting, MissionTime at);
   static void follow(Track& track, const world::Detection& sighting, MissionTime at);

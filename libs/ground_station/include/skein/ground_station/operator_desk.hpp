@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where operators' requests are received: what is done, for whom, and what they are told.
+// Receives operators' requests, checks them against each other, and answers them.
 #pragma once
 
 #include <deque>
@@ -16,60 +16,59 @@
 
 namespace skein::ground_station {
 
-/// Several operators, known by name, ask at once. Laws:
-/// - a request, known by operator and number, is done at most once; asked again, it is answered
-/// again
-///   with what came of it so far; another request under its number is refused;
-/// - all problems of a request are told, and then none of its deeds is done;
-/// - every accepted request is complete in the end, since every command comes to its end;
-/// - at most one operator has a UAV in hand, and only that one commands it meanwhile; a UAV that
-///   nobody has in hand may be commanded by all. Script and scripted operators are not asked;
-/// - who is asked to let go has kPatience to keep the UAV: then it passes to who asked. So nobody
-///   who has gone away holds a UAV for ever.
+/// Serves several operators, identified by name, concurrently. Laws:
+/// - a request, identified by operator and number, is done at most once; if it is repeated, its
+///   present result is sent again; another request with its number is refused;
+/// - a request with problems is answered with all of them, and none of its deeds is done;
+/// - every accepted request is complete in the end, since every command is settled in the end;
+/// - at most one operator has a UAV in hand, and only that operator commands it meanwhile; a UAV in
+///   nobody's hand may be commanded by all. Script and scripted operators are exempt;
+/// - an operator who is asked to let go of a UAV has kPatience to keep it; then it passes to the
+///   asker. So no absent operator keeps a UAV for ever.
 ///
 /// | hand of a UAV | when                                    | then                          |
 /// |---------------|-----------------------------------------|-------------------------------|
 /// | nobody's      | take_in_hand, steering                  | the operator's                |
-/// | one's         | he gives back, or lets go               | nobody's, or whom he names    |
-/// | one's         | another asks                            | his, with an asker            |
-/// | with an asker | he keeps it                             | his                           |
+/// | a holder's    | the holder gives back, or lets go       | nobody's, or the named one's  |
+/// | a holder's    | another operator asks                   | the holder's, with an asker   |
+/// | with an asker | the holder keeps it                     | the holder's                  |
 /// | with an asker | kPatience passes                        | the asker's                   |
 ///
-/// Memory is bounded: kRequestsKept of each operator are remembered, and of what is older than
-/// these it is only known that it is. Deterministic; not safe to share between threads. Cost of a
-/// request: O(deeds × UAVs). Source: ADR 16.
+/// Memory is bounded: the last kRequestsKept requests of each operator are remembered; older ones
+/// are recognised as old by their numbers. Deterministic; not safe to share between threads. Cost
+/// of a request: O(deeds × UAVs). Source: ADR 16.
 class OperatorDesk {
  public:
   static constexpr Duration kPatience = Duration::milliseconds(30'000);
   static constexpr std::size_t kRequestsKept = 64;
   static constexpr std::size_t kOperators = 64;
   static constexpr std::size_t kLongestName = 64;  ///< [byte]
-  /// Tasks by which operators steer are numbered from here on.
+  /// First id of the tasks that steer a UAV.
   static constexpr std::uint64_t kFirstSteeringId = 900'000'000;
 
-  /// What a request is checked against.
+  /// The state that a request is checked against.
   struct Surroundings {
     const Board& board;
-    std::vector<std::string> answers;  ///< that the script waits for
+    std::vector<std::string> answers;  ///< operator actions that the script waits for
     std::vector<Alarm> alarms;
   };
   using Effect = std::variant<DoActions, OperatorActs, JudgeAlarm, OperatorAsked, HandChanged>;
 
   std::vector<Effect> handle(const OperatorRequest& request, const Surroundings& around,
                              MissionTime now);
-  /// UAVs that were not kept pass to who asked.
+  /// Passes UAVs to their askers when kPatience is over.
   std::vector<Effect> wake(MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
 
-  /// Commands and what could not be done belong to the request that asked for them.
+  /// Adds the change of a command, or an anomaly, to the answer of the request that caused it.
   void note(const CommandChanged& change, MissionTime now);
   void note(const Anomaly& anomaly);
-  /// Of every request about which there is something new, or that was asked again.
+  /// The answers to requests that have news, or that were repeated, since the last call.
   std::vector<OperatorAnswered> take_answers();
 
-  /// Nobody's for a UAV that was never in hand.
+  /// Who has the UAV in hand; nobody if it never was.
   Hand hand_of(const std::string& uav) const;
-  /// The latest, oldest first, of all who ask; not more than kCommandsKept.
+  /// The latest commands of all sources, oldest first; at most kCommandsKept.
   const std::deque<IssuedCommand>& commands() const { return latest_; }
   static constexpr std::size_t kCommandsKept = 64;
 
@@ -80,13 +79,13 @@ class OperatorDesk {
   };
   struct Operator {
     std::map<std::uint64_t, Entry> requests;
-    std::uint64_t forgotten = 0;  ///< the greatest number of those that are not remembered
+    std::uint64_t forgotten = 0;  ///< greatest number of a request that is no longer remembered
   };
   using Effects = std::vector<Effect>;
   using Hands = std::map<std::string, Hand>;
   using Key = std::pair<std::string, std::uint64_t>;
 
-  /// A request that is looked at: nothing of it is done while it may still be refused.
+  /// A request under examination: its effects are kept back while it may still be refused.
   struct Draft {
     const OperatorRequest& request;
     const Surroundings& around;
@@ -116,10 +115,10 @@ class OperatorDesk {
 
   std::map<std::string, Operator> operators_;
   Hands hands_;
-  std::map<std::string, std::uint64_t> steering_;  ///< next task's number, by UAV
-  std::map<std::string, Key> asked_by_;            ///< requests with commands, by their asked_by
+  std::map<std::string, std::uint64_t> steering_;  ///< id of the next steering task, by UAV
+  std::map<std::string, Key> asked_by_;            ///< requests with commands, by `asked_by`
   std::set<Key> news_;
-  std::vector<OperatorAnswered> refusals_;  ///< of what was no request
+  std::vector<OperatorAnswered> refusals_;  ///< of malformed requests
   std::deque<IssuedCommand> latest_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PPS: what every sensor saw and did not see, fused into alarms and a model of each fire.
+// PPS: fuses detections and missing detections of all sensors into alarms with a fire model.
 #pragma once
 
 #include <deque>
@@ -28,22 +28,22 @@ struct PerceptionLogged {
 /// A candidate is a place where some device reported fire. Its belief b starts at the prior and, by
 /// Bayes' rule, each look adds to ln(b / (1 - b))
 ///   ln(P(look | fire) / P(look | no fire)),
-/// where the sum over the looks of each device is held within ±limit after every look (so that a
-/// device that changes its mind is heard at once). A look counts at most once per `decorrelation`
-/// and device (also one that comes after younger ones, up to two minutes late), and is either the
-/// kind reported within the gate (or `least_separation`) or, when the candidate's place with its
-/// uncertainty was wholly in the cone, in range and in line of sight, "nothing".
+/// where the sum over the looks of each device is kept within ±limit after every look (so that a
+/// device whose reports change has an effect at once). At most one look per `decorrelation` and
+/// device counts (late looks, up to two minutes, are checked against younger ones). The outcome of
+/// a look is the kind detected within the gate (or `least_separation`), or "nothing" if the
+/// candidate's place with its uncertainty was wholly in the cone, in range and in line of sight.
 ///
 /// | from      | when                                                                | to        |
 /// | candidate | belief >= raise                                                     | raised    |
 /// | candidate | belief <= infirm, or not seen for `forget`                          | (dropped) |
 /// | raised    | belief >= confirm and a confirming device has seen it               | confirmed |
 /// | raised    | belief <= infirm                                                    | infirmed  |
-/// | infirmed  | belief >= raise; those who had raised it are no longer heard        | raised    |
+/// | infirmed  | belief >= raise; the devices that had raised it no longer count     | raised    |
 ///
-/// An infirmed alarm stays as a place: the same heat seen again by a device that had a part in
-/// raising it (and does not confirm) changes nothing and makes no new alarm. Confirmed is for good.
-/// The position is the inverse-variance mean of the independent sightings, put on the ground.
+/// An infirmed alarm keeps its place: detections there by a device that had a part in raising it
+/// (and does not confirm) change nothing and make no new alarm. "Confirmed" is final. The position
+/// is the inverse-variance mean of the independent sightings, projected on the ground.
 ///
 /// Deterministic. Not safe to share between threads. Cost of a look: O(detections × candidates).
 /// Source: T VI.1.1, VI.1.2 (the algorithm is ours, the seeds give none).
@@ -54,26 +54,26 @@ class PerceptionProcessing {
   /// Precondition: problems_of(config) is empty. The terrain must outlive this.
   PerceptionProcessing(PpsConfig config, const world::Terrain& terrain);
 
-  /// Figures that are not finite are disregarded.
+  /// Adds a look. Figures that are not finite are disregarded.
   std::vector<Effect> handle(const world::Perception& look, MissionTime now);
-  /// A person has judged an alarm. Infirmed: all who saw it are no longer heard of it. Nothing for
-  /// one that is not there, is confirmed, or is so already.
+  /// A person confirms or infirms an alarm. If infirmed, the devices that saw it no longer count
+  /// for it. No effect if the alarm is unknown, confirmed, or in that state already.
   std::vector<Effect> judge(AlarmId alarm, AlarmState state);
-  /// Never: only looks change belief.
+  /// Always absent: only looks change belief.
   std::optional<MissionTime> next_wakeup() const { return std::nullopt; }
 
   /// All alarms ever raised, by id.
   std::vector<Alarm> alarms() const;
 
  private:
-  /// What one device said about one candidate.
+  /// Evidence of one device on one candidate.
   struct Tally {
     double evidence = 0;  ///< natural log-odds, within ±limit
     double limit = 0;
     bool confirms = false;
-    std::deque<MissionTime> counted;  ///< when those looks were taken that still can be too close
-    bool saw = false;                 ///< reported a kind that speaks for fire
-    bool muted = false;               ///< had a part in raising what was infirmed
+    std::deque<MissionTime> counted;  ///< times of counted looks, for the decorrelation check
+    bool saw = false;                 ///< it reported a kind that speaks for fire
+    bool muted = false;               ///< it had a part in raising an alarm that was infirmed
   };
   struct Candidate {
     Alarm alarm;                           ///< id 0: not raised yet
@@ -87,7 +87,7 @@ class PerceptionProcessing {
 
   const world::SensorEvidence* reliability_of(const world::Perception& look) const;
   void forget_stale(MissionTime now);
-  /// How far from its place what is seen there with an error of that spread may be said to be [m].
+  /// Association distance of a detection with that spread from the alarm's position [m].
   double reach_of(const Alarm& alarm, double spread) const;
   std::optional<std::size_t> nearest_in_gate(const world::Detection& detection) const;
   Sightings associate(const world::Perception& look, const world::SensorEvidence& device);

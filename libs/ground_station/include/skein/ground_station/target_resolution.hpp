@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a scripted task goes, once it is known.
+// Resolves the targets of scripted tasks to points.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,8 @@
 
 namespace skein::ground_station {
 
-/// The points [m, ENU] of a target, at least one. Fails with the reason when it is about the alarm
-/// and there is none (`subject` null), when the pattern is empty, or on figures that are not
-/// finite.
+/// The points [m, ENU] of a target, at least one. Failures: the target refers to the alarm and
+/// there is none (`subject` null), its pattern is empty, or figures are not finite.
 Result<std::vector<world::Vector3>, Failure> resolve(const Target& target, const Alarm* subject,
                                                      const world::Terrain& terrain);
 

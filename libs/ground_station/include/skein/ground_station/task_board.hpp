@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tasks of one UAV, as far as the ground station was told of them.
+// The states of one UAV's tasks, as reported to the ground station.
 #pragma once
 
 #include <bitset>
@@ -19,43 +19,43 @@ struct TaskOnBoard {
   executive::TaskId id;
   std::string type;
   executive::TaskState state = executive::TaskState::kScheduled;
-  bool lost = false;  ///< its MLE restarted before it was terminal
+  bool lost = false;  ///< its MLE restarted before the task was terminal
   std::string reason = {};
   MissionTime since;
-  bool at_ground = false;  ///< the MLE that runs here was the last to tell of it
+  bool at_ground = false;  ///< the last report came from the MLE that runs here
 };
 
 /// Neither terminal nor lost.
 bool is_open(const TaskOnBoard& task);
 
 /// States come by events and by plan boards, in any order and more than once; the board never goes
-/// back (scheduled, started, running, aborting, then ended or aborted), but for a task that was
-/// lost and is started anew. Of the last `kept` that are not open all is kept; of those before, two
-/// bytes each: which states were told, not the type, the reason or the instant. Cost: O(log n) of n
-/// tasks for whatever is asked and told, and in proportion to what it gives; so that a mission of
-/// days costs no more each second than one of minutes. Source: spec 8.1.
+/// back (scheduled, started, running, aborting, then ended or aborted), except for a task that was
+/// lost and is started anew. The last `kept` tasks that are not open are stored fully; of older
+/// ones only which states were told (two bytes each), not type, reason or instant. Cost of each
+/// call: O(log n) for n tasks, plus the size of its result, so that it does not grow with the
+/// mission's duration. Source: spec 8.1.
 class TaskBoard {
  public:
   static constexpr std::size_t kKept = 256;
 
   explicit TaskBoard(std::size_t kept = kKept) : most_kept_(kept) {}
 
-  /// Whether the state had not been told of the task before.
+  /// Adds a report; returns whether this state of the task is new.
   bool learn(const TaskEventReceived& event, MissionTime now);
-  /// The MLE restarted: open tasks are lost, the background routine is forgotten since it is
-  /// numbered from the beginning again. Gives those that were lost, by id.
+  /// The MLE restarted: open tasks are lost; the background routine is removed, since its numbering
+  /// begins again. Returns the lost tasks, by id.
   std::vector<executive::TaskId> lose();
 
-  /// Absent when unknown.
+  /// The task; absent if unknown.
   std::optional<TaskOnBoard> find(executive::TaskId id) const;
-  /// Null when unknown or let go. Valid until the next change.
+  /// The task; null if unknown or no longer stored fully. Valid until the next change.
   const TaskOnBoard* kept(executive::TaskId id) const;
-  /// False when the task is unknown or lost.
+  /// Whether this state of the task was reported; false if the task is unknown or lost.
   bool has_told(executive::TaskId id, executive::TaskState state) const;
-  /// By id.
+  /// The open tasks.
   const std::set<executive::TaskId>& open() const { return open_; }
-  /// Of those that are not open and are kept, the `count` that changed last, the last first; of one
-  /// instant by id. Valid until the next change.
+  /// Of the tasks that are not open and stored fully, the `count` that changed last, latest first;
+  /// at one instant by id. Valid until the next change.
   std::vector<const TaskOnBoard*> last_over(std::size_t count) const;
 
  private:
@@ -84,7 +84,7 @@ class TaskBoard {
   Entries entries_;
   std::set<executive::TaskId> open_;
   std::set<Over> over_;
-  ByteBook past_, past_routine_;  ///< of each that was let go, what byte_of gives
+  ByteBook past_, past_routine_;  ///< byte_of() each task that is no longer stored fully
 };
 
 }  // namespace skein::ground_station

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ground station's part in a team: it votes, gives missions, and sees who has what.
+// The ground station as a member of the team: it votes, gives global missions, and follows them.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace skein::ground_station {
 
-/// From a member of the team.
+/// A message from a member of the team.
 struct TeamHeard {
   std::string from;
   auction::TeamMessage message;
@@ -23,7 +23,7 @@ struct TeamTell {
   std::string to;
   auction::TeamMessage message;
 };
-/// Of a sale that is held here.
+/// An effect of a sale that is held at the ground station.
 struct TeamSaleTold {
   auction::SaleEffect what;
 };
@@ -32,15 +32,15 @@ struct TeamTokenChanged {
   std::uint64_t term = 0;
 };
 
-/// A place that tasks may name is known from now on: that of an alarm.
+/// The place of an alarm is known from now on, and tasks may name it.
 struct PlaceKnown {
   std::string name;
 };
 
-/// A member of the team without a vehicle. What it is given it says until the team's book has it,
-/// so a mission is given even while the holder of the token is out of reach. Tasks that name an
-/// alarm wait here until it is raised. Deterministic; not safe to share between threads. Source:
-/// spec 6.3; docs/decisions/0018-degree-5.md.
+/// A member of the team without a vehicle. It repeats a mission given to it until the team's book
+/// has it, so that a mission can be given while the token holder is out of reach. Tasks that name
+/// an alarm wait here until the alarm is raised. Deterministic; not safe to share between threads.
+/// Source: spec 6.3; docs/decisions/0018-degree-5.md.
 class TeamDesk {
  public:
   using Input =
@@ -55,7 +55,7 @@ class TeamDesk {
   std::vector<Effect> handle(const Input& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const { return member_.next_wakeup(); }
   const team::Roster& roster() const { return roster_; }
-  /// As far as it is known here.
+  /// The standings of the team's tasks, as far as they are known here.
   const std::map<mission::GoalId, team::TaskStanding>& standings() const {
     return ownership_.known();
   }
@@ -81,16 +81,16 @@ class TeamDesk {
   auction::TeamMember member_;
   team::Ownership ownership_;
   std::map<mission::MissionId, std::set<mission::GoalId>> open_;   ///< of missions given here
-  std::map<mission::GoalId, std::vector<mission::GoalId>> after_;  ///< what a task comes after
-  std::map<mission::GoalId, std::string> pinned_;  ///< to this UAV alone, by the operator
-  std::map<std::string, Degree> degrees_;          ///< of those that do not bid for it
-  std::map<mission::GoalId, int> refused_;         ///< how often nobody could, one after another
-  std::set<mission::MissionId> hopeless_;          ///< of which it is said that nobody can
+  std::map<mission::GoalId, std::vector<mission::GoalId>> after_;  ///< predecessors of a task
+  std::map<mission::GoalId, std::string> pinned_;  ///< UAV that the operator reserved the task for
+  std::map<std::string, Degree> degrees_;   ///< of the UAVs whose degree keeps them from bidding
+  std::map<mission::GoalId, int> refused_;  ///< successive sales of the task without a winner
+  std::set<mission::MissionId> hopeless_;   ///< missions reported as impossible for all UAVs
   std::set<mission::MissionId> given_;
-  /// What of them names alarms that are not known yet, and what comes after that.
+  /// Tasks of given missions that name unknown alarms, and their successors.
   std::map<mission::MissionId, team::GlobalMission> waiting_;
-  std::map<mission::MissionId, std::uint64_t> lots_;  ///< given of each
-  std::set<mission::GoalId> tasks_;                   ///< ever given here
+  std::map<mission::MissionId, std::uint64_t> lots_;  ///< how many lots of the mission were given
+  std::set<mission::GoalId> tasks_;                   ///< all tasks ever given here
   std::set<std::string> alarms_;                      ///< that are known
 };
 
