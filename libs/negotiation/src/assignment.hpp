@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who plays which role for the least cost together.
+// Assignment of roles to UAVs at least total cost.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace skein::interaction {
 
-/// Of each UAV the column that it is given.
+/// The column (role) of each row (UAV).
 using Assignment = std::vector<std::size_t>;
 
-/// Every row (UAV) is given one column (role), each column within its arity, for the least sum of
-/// costs; absent: impossible. `costs[row][column]` absent: that row cannot. Of equal sums, the
-/// first in the order of columns, rows from the first on. Exact. Cost: O(rows × columns × number of
-/// ways to have so many in each column).
+/// Assigns one column (role) to every row (UAV), within the arities of the columns, at the least
+/// sum of costs; absent: impossible. `costs[row][column]` absent: the row cannot have the column.
+/// Of equal sums, the lexicographically first. Exact. Cost: O(rows × columns × number of ways to
+/// fill the columns).
 std::optional<Assignment> assign(const std::vector<std::vector<std::optional<double>>>& costs,
                                  const std::vector<Arity>& arities);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known of a session: who offered what, who vowed what. Grows, and nothing else.
+// The known offers and vows of a session; a set that only grows.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace skein::interaction {
 
-/// Which entries have which parts: an offer, a vow, a loss of each member, one bit each. Of two who
-/// know the same session it says who knows more.
+/// Which facts are known: one bit for each of offer, vow and loss of each member. Compares the
+/// knowledge of two members about the same session.
 using FactBits = std::uint64_t;
 inline bool lacks(FactBits one, FactBits other) { return (other & ~one) != 0; }
 
@@ -21,7 +21,7 @@ class Facts {
  public:
   explicit Facts(const Terms& terms);
 
-  /// Why these cannot be entries of this session next to those that are known; absent: they can.
+  /// Why `others` contradict the known entries or the session; absent: they do not.
   std::optional<std::string> contradiction_in(const std::vector<Entry>& others) const;
   /// Precondition: no contradiction.
   void merge(const std::vector<Entry>& others);
@@ -35,9 +35,9 @@ class Facts {
   static FactBits bits_of(const std::vector<Entry>& entries);
   bool all_offered() const;
   bool all_promised() const;
-  /// Who refused.
+  /// The entry of a member that refused; null: none.
   const Entry* refusal() const;
-  /// Who was lost before it is known to have vowed.
+  /// The entry of a member that was lost before a vow of it is known; null: none.
   const Entry* loss() const;
 
  private:

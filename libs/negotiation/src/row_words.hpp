@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows by their names.
+// Look-up of rows by name.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace skein::interaction {
 
-/// The only row of that name, or nothing.
+/// The only row of that name; null if there is none, or more than one.
 inline const Row* only_row(const Rows& rows, const std::string& name) {
   const Row* found = nullptr;
   for (const Row& row : rows) {
@@ -21,7 +21,7 @@ inline const Row* only_row(const Rows& rows, const std::string& name) {
   return found;
 }
 
-/// What is wrong with a set of rows that must hold one of that name with so many numbers.
+/// Why `rows` do not hold exactly one row of that name with so many numbers; absent: they do.
 inline std::optional<std::string> missing_row(const Rows& rows, const std::string& name,
                                               std::size_t numbers) {
   const Row* row = only_row(rows, name);

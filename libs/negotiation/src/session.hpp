@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One session as one member sees it.
+// One negotiation session at one member.
 #pragma once
 
 #include <memory>
@@ -13,14 +13,14 @@
 
 namespace skein::interaction {
 
-/// What a member wants of the session that it takes part in.
+/// What a member requires of a session that it joins.
 struct Wanted {
   std::string modality;
   std::vector<std::string> members;
   ModelHash model;
 };
 
-/// A member is
+/// State of this member in the session:
 ///   from            on                                               to
 ///   (new)           a message                                        invited
 ///   (new)           a message with more about it than it said        lost
@@ -29,30 +29,30 @@ struct Wanted {
 ///   taking part     offers of all, and what follows from them        promised
 ///   taking part     half the time, a bad offer, somebody lost, …     refused
 ///   taking part     another session of the subject                   refused (moved)
-/// and what it knows ends it: a refusal (failed), all promises (agreed), else the deadline.
+/// The session ends here on a known refusal (failed), on all promises (agreed), or at the deadline.
 class Session {
  public:
-  /// `told_by`: who told of it first; oneself: it is opened here.
+  /// `told_by`: the member that first told of the session; `self` if it is opened here.
   Session(Terms terms, std::string self, const NegotiationLimits& limits, std::string told_by);
 
-  /// The opener, who knows nobody yet, tells everybody.
+  /// Takes part. The opener sends the session to all members.
   void join(const Wanted& wanted, std::shared_ptr<const NegotiationModality> modality,
             MissionTime now, NegotiationEffects& out);
   void offer(const Result<Rows, Failure>& offer, MissionTime now, NegotiationEffects& out);
   void reckoned(Result<Rows, Failure> result, MissionTime now, NegotiationEffects& out);
   /// Precondition: may_refuse().
   void refuse(const std::string& why, MissionTime now, NegotiationEffects& out);
-  /// Goes on with another session: refuses without telling anybody who does not ask, and gives no
-  /// end. Precondition: may_refuse().
+  /// Refuses because the member moves to another session: tells it only to members that ask, and
+  /// emits no NegotiationEnded. Precondition: may_refuse().
   void leave(const std::string& why);
-  /// Refuses, without taking part: it is not what is negotiated now. Returns why.
+  /// Refuses without having taken part, since the session differs from `wanted`. Returns why.
   std::string turn_down(const Wanted& wanted, MissionTime now, NegotiationEffects& out);
-  /// Why the message has no effect; absent: it has.
+  /// Merges a message. Returns why it has no effect; absent: it has.
   std::optional<std::string> receive(const SessionMessage& message, MissionTime now,
                                      NegotiationEffects& out);
-  /// Tells one member what is known here.
+  /// Sends one member all that is known here.
   void tell(const std::string& uav, NegotiationEffects& out);
-  /// It was restarted since and may have vowed anything.
+  /// This member restarted since, and may have made any vow before.
   void lose() { facts_[self_].lost = true; }
   void pass(MissionTime now, NegotiationEffects& out);
   std::optional<MissionTime> next_wakeup() const;
@@ -61,15 +61,14 @@ class Session {
   std::string state_text() const;
   bool moved() const { return moved_; }
   const std::string& told_by() const { return told_by_; }
-  /// Nothing that it has said or may be asked for is lost with it: another message brings it back
-  /// as it is, or it is over.
+  /// Whether the session may be removed without loss: it is over, or a later message restores it.
   bool may_be_forgotten(MissionTime now) const;
-  /// Whether that member is known to have promised.
+  /// Whether `uav` is known to have promised.
   bool is_bound(const std::string& uav) const;
   bool takes_part() const { return joined_; }
   bool may_refuse() const;
   bool wants_offer() const { return joined_ && may_refuse() && !facts_[self_].offered; }
-  /// It asked for what follows from all offers.
+  /// A ReckonResult was emitted and not answered yet.
   bool wants_result() const;
   bool ended() const { return outcome_.has_value(); }
   bool decided() const { return facts_.refusal() != nullptr || facts_.all_promised(); }
@@ -111,14 +110,14 @@ class Session {
   std::string told_by_;
   std::shared_ptr<const NegotiationModality> modality_;
   Facts facts_;
-  std::vector<FactBits> told_;  ///< what each member is known to know
+  std::vector<FactBits> told_;  ///< the facts that each member is known to know
   std::set<std::size_t> to_tell_;
   std::optional<Rows> result_;
-  bool reckons_ = false;  ///< somebody else works on it
+  bool reckons_ = false;  ///< a job computes the result
   bool joined_ = false, moved_ = false;
   std::optional<NegotiationOutcome> outcome_;
   MissionTime last_sent_;
-  int unheard_ = 0;  ///< sendings again since the decider was heard
+  int unheard_ = 0;  ///< repetitions sent since the decider was last heard
 };
 
 }  // namespace skein::interaction

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What members of an area sharing tell each other, as rows: annex B of the thesis has it that an
-// area is divided by what each UAV can do, which only it knows.
+// Offers in an area sharing, as rows: an area is divided by the capabilities of the UAVs, which
+// each of them knows only of itself (annex B of the thesis).
 #pragma once
 
 #include <string>
@@ -12,21 +12,21 @@
 
 namespace skein::interaction {
 
-/// Who sweeps a part of an area, and from where.
+/// A UAV that offers to sweep a part of an area, and its starting point.
 struct Sweeper {
-  world::VehicleModel vehicle;                    ///< what of it a sweep depends on
+  world::VehicleModel vehicle;                    ///< the figures that a sweep depends on
   world::Vector2 start = world::Vector2::Zero();  ///< [m, ENU]
   double altitude = 0;                            ///< over the ground [m], > 0
-  double swath = 0;                               ///< [m], > 0
-  double busy = 0;                                ///< until it can set out from its start [s], >= 0
+  double swath = 0;                               ///< distance between two lanes [m], > 0
+  double busy = 0;  ///< time until it can depart from `start` [s], >= 0
 };
 
 /// Rows `start`, `sweep` (altitude, swath, busy) and `vehicle` (its figures).
 Rows offer_of(const Sweeper& sweeper);
-/// Refused: a row is missing, or a figure makes no sense.
+/// The inverse of offer_of(). Errors: a row is missing, or a figure is out of range.
 Result<Sweeper, std::string> sweeper_of(const Rows& offer);
 
-/// Corners x, y of a polygon [m, ENU].
+/// A row with the corners x, y of a polygon [m, ENU], and its inverse.
 Row row_of(const std::string& name, const world::Polygon& polygon);
 world::Polygon polygon_of(const Row& row);
 

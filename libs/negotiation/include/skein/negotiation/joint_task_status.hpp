@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a UAV stands in a joint task, as it tells its partners and the ground.
+// Status of a UAV in a joint task, as sent to its partners and to the ground.
 #pragma once
 
 #include <cstdint>
@@ -16,33 +16,33 @@ namespace skein::interaction {
 
 enum class JointPhase : std::uint8_t {
   kLoading,  ///< roles and start are negotiated
-  kLoaded,   ///< agreed; it waits to be due
+  kLoaded,   ///< agreed; waits for its start
   kRunning,
-  kLeaving,  ///< what runs of its role is being stopped
+  kLeaving,  ///< the running parts of its role are being stopped
   kEnded,
   kAborted,
-  kNotLoaded,  ///< nothing was agreed
+  kNotLoaded,  ///< the negotiation failed
 };
 /// "loading", "loaded", "running", "leaving", "ended", "aborted", "not-loaded".
 std::string_view to_text(JointPhase phase);
-/// Nothing more comes of it.
+/// Whether the phase is final.
 constexpr bool is_over(JointPhase phase) { return phase >= JointPhase::kEnded; }
 
 struct JointTaskStatus {
   std::string uav;
-  std::string subject;     ///< the same at all who take part
-  std::uint64_t task = 0;  ///< of its own executive
+  std::string subject;     ///< the same at all participants
+  std::uint64_t task = 0;  ///< id in the UAV's own executive
   std::string model;       ///< type of the joint task
   std::string variant;
   ModelHash hash;
   JointPhase phase = JointPhase::kLoading;
   std::string why;                             ///< of kLeaving, kAborted, kNotLoaded
-  std::map<std::string, std::string> holders;  ///< UAV: role, as agreed last
+  std::map<std::string, std::string> holders;  ///< role by UAV, as agreed last
   std::vector<std::string> active_blocks;      ///< of its role, in document order
   std::vector<std::string> violated;           ///< SCMs
   std::optional<MissionTime> agreed_start;
-  /// Of its share of an area, once one is agreed: `round`, how many times it was shared; a row
-  /// `left` for each convex piece that it has still to map, its corners.
+  /// Once the UAV has an agreed share of an area: a row `round`, how often the area was shared, and
+  /// a row `left` with the corners of each convex piece that it has still to map.
   Rows left;
   bool operator==(const JointTaskStatus&) const = default;
 };

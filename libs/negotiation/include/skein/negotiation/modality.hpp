@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is negotiated: what members offer, and the result that follows from all offers.
+// Negotiation modalities: the format of offers, and the result that follows from all offers.
 #pragma once
 
 #include <functional>
@@ -20,11 +20,12 @@ struct World;
 
 namespace skein::interaction {
 
-/// What each member offered, by its name.
+/// The offer of each member, by its name.
 using Offers = std::map<std::string, Rows>;
 
-/// A negotiation modality. The protocol is the manager's; a modality is pure, so that all members
-/// reckon the same result from the same offers, in whatever order they came. Source: T def. V.6.
+/// A negotiation modality. The protocol is run by the NegotiationManager; a modality is a pure
+/// function, so that all members compute the same result from the same offers, in whatever order
+/// these arrived. Source: T def. V.6.
 class NegotiationModality {
  public:
   NegotiationModality() = default;
@@ -32,14 +33,16 @@ class NegotiationModality {
   NegotiationModality& operator=(const NegotiationModality&) = delete;
   virtual ~NegotiationModality() = default;
 
-  /// As coordination actions name it.
+  /// The name used in coordination actions.
   virtual std::string_view name() const = 0;
-  /// What is wrong with the parameters of a session, or with an offer under sound ones.
+  /// Why the parameters of a session, or an offer under valid parameters, are invalid; absent: they
+  /// are valid.
   std::optional<std::string> problem_of(const Terms& terms) const { return do_check(terms); }
   std::optional<std::string> problem_of(const Terms& terms, const Rows& offer) const;
-  /// To settle takes longer than a node may be deaf: it is a job, which the manager asks for.
+  /// settle() is too slow for the node's loop: the manager has it run as a job (ReckonResult).
   virtual bool is_long() const { return false; }
-  /// The result. Precondition: no problem of the terms, nor of any offer; all members offered.
+  /// The result of the negotiation. Precondition: the terms and all offers are valid, and all
+  /// members have offered.
   Result<Rows, Failure> settle(const Terms& terms, const Offers& offers) const;
 
  private:
@@ -50,17 +53,17 @@ class NegotiationModality {
 };
 
 struct Sweeper;
-/// Seconds from when it sets out until it has swept that part of an area, over level ground, as it
-/// flies that; nothing: unknown. The same at all members for the same arguments.
+/// Duration of the flight of `sweeper` to `part` and over it, above level ground [s]; absent:
+/// unknown. Must be the same at all members for the same arguments.
 using FlownSweep = std::function<std::optional<double>(
     const Sweeper& sweeper, const world::Polygon& part, const world::World& ground)>;
 
-/// The answer to ReckonResult, by the standard modality that the terms name; areas are shared by
-/// what is flown, if that is given. Any thread.
+/// The result for ReckonResult, by the standard modality that the terms name. With `flown`, areas
+/// are divided by the durations that it gives. Any thread.
 Result<Rows, Failure> reckon(const Terms& terms, const Offers& offers,
                              const FlownSweep& flown = {});
 
-/// By name.
+/// Modalities by name.
 using Modalities = std::map<std::string, std::shared_ptr<const NegotiationModality>, std::less<>>;
 
 /// Role allocation, time interval, area sharing, perception positions, relay chain.

@@ -17,22 +17,23 @@
 namespace skein::interaction {
 
 struct NegotiationLimits {
-  Duration again = Duration::milliseconds(500);  ///< between sendings of what was not echoed
-  Duration ask = Duration::seconds(5);           ///< between questions of who is undecided
-  Duration keep = Duration::seconds(600);        ///< records, after their deadline
-  /// Known through one member, of those in which one takes no part, or not any more: each of
-  /// kMostMembers may have opened one about a subject, for four subjects. Further ones are rejected
-  /// until one is over or decided, which is forgotten for it.
+  Duration again = Duration::milliseconds(500);  ///< between repetitions of unacknowledged messages
+  Duration ask = Duration::seconds(5);           ///< between questions of an undecided member
+  Duration keep = Duration::seconds(600);        ///< time that a session is kept after its deadline
+  /// Most sessions learnt from one member in which this UAV does not take part (any more): one
+  /// opened by each of kMostMembers, for four subjects. Further ones are rejected until one of
+  /// these is over or decided, and is replaced.
   std::size_t sessions_of_one = 4 * kMostMembers;
 };
 
-/// To take part in a negotiation about a subject: in the session that is open, or in a new one.
+/// Take part in a negotiation about a subject: join the open session, or open a new one.
 struct BeginNegotiation {
   std::string subject, modality;
-  std::vector<std::string> members;  ///< in any order; oneself among them
+  std::vector<std::string> members;  ///< in any order, including this UAV
   ModelHash model;
-  Rows parameters;  ///< of a new session
-  /// Deadline of a new session, > 0; one with a deadline after twice that is not joined.
+  Rows parameters;  ///< used if a new session is opened
+  /// Time until the deadline of a new session, > 0. A session with a deadline after twice that time
+  /// is not joined.
   Duration within = Duration::seconds(10);
 };
 /// Answer to PrepareOffer.
@@ -45,14 +46,14 @@ struct ResultReckoned {
   SessionId session;
   Result<Rows, Failure> result;
 };
-/// Not to take part any more; too late once promised.
+/// Stop taking part; impossible after this UAV has promised.
 struct WithdrawNegotiation {
   std::string subject, why;
 };
 struct SessionMessageReceived {
   SessionMessage message;
 };
-/// Nothing but that time passes.
+/// Time passes.
 struct NegotiationTick {};
 using NegotiationInput = std::variant<BeginNegotiation, OfferPrepared, ResultReckoned,
                                       WithdrawNegotiation, SessionMessageReceived, NegotiationTick>;
@@ -61,30 +62,32 @@ struct SendSessionMessage {
   std::string to;
   SessionMessage message;
 };
-/// Others negotiate about this with us; begin with the same subject to join them.
+/// Others have opened a session with this UAV as a member; BeginNegotiation with the same subject
+/// joins it.
 struct InvitedToNegotiate {
   Terms terms;
 };
-/// Evaluate what can be offered, and give it as OfferPrepared.
+/// Compute this UAV's offer, and return it as OfferPrepared.
 struct PrepareOffer {
   Terms terms;
 };
-/// Reckon what follows from all offers, and give it as ResultReckoned: of modalities that are long.
+/// Compute the result of all offers as a job, and return it as ResultReckoned; only for modalities
+/// with is_long().
 struct ReckonResult {
   Terms terms;
   Offers offers;
 };
-/// Once for each negotiation begun, at its deadline at the latest.
+/// The outcome; once for each negotiation begun, at its deadline at the latest.
 struct NegotiationEnded {
   Terms terms;
   NegotiationOutcome outcome;
 };
-/// What was undecided is known now.
+/// A negotiation that ended undecided is known to be agreed or failed now.
 struct NegotiationSettled {
   Terms terms;
   NegotiationOutcome outcome;
 };
-/// A message without effect.
+/// A message had no effect.
 struct MessageRejected {
   std::string from, subject, why;
 };
@@ -93,24 +96,27 @@ using NegotiationEffect =
                  NegotiationEnded, NegotiationSettled, MessageRejected>;
 using NegotiationEffects = std::vector<NegotiationEffect>;
 
-/// Sessions of one UAV. A session is what its members are known to have said: offers, then vows. A
-/// member promises the result of all offers once it knows them all, or refuses as long as it has
-/// not promised; the decider promises last. All promised is agreed, one refused is failed; at the
-/// deadline whoever promised and knows neither ends undecided, and goes on asking. Of two sessions
-/// about one subject the one opened earlier goes on, and who has not promised moves to it.
+/// The negotiation sessions of one UAV. The state of a session is the set of offers and vows that
+/// its members are known to have made. A member promises the result of all offers once it knows
+/// them all, or refuses, as long as it has not promised; the decider promises last. The session is
+/// agreed if all have promised, and failed if one has refused; at the deadline, a member that has
+/// promised and knows neither ends undecided, and goes on asking. Of two sessions about one subject
+/// the one opened earlier goes on; members that have not promised move to it.
 ///
-/// Laws, under loss, delay, doubles, reordering, cuts, crashes and restarts:
-///   - results of one session are equal, whoever ends agreed or undecided;
-///   - nobody ends or is settled failed where somebody is agreed;
-///   - what is begun ends once, by the deadline of its session: twice as long as it was begun for
-///     at most, whatever comes over the wire;
-///   - nobody is undecided who hears, directly or through others, from who knows, between the
-///     decision and the deadline, which are half of the session apart at least.
+/// Laws, under loss, delay, duplication, reordering, cuts, crashes and restarts:
+///   - all members that end a session agreed or undecided have the same result;
+///   - no member ends failed, or later learns "failed", if another one is agreed;
+///   - each negotiation begun ends once, by the deadline of its session, which is at most twice
+///     `within` after BeginNegotiation, whatever messages arrive;
+///   - a member does not end undecided if, between the decision and the deadline (at least half of
+///   the
+///     session), it hears, directly or through others, from a member that knows the decision.
 /// Why not more: docs/decisions/0011-negotiation.md. Cost of a message: O(members × rows).
-/// A value type: copies go on apart. Thread rule: one thread at a time. Source: T V.3, spec 7.4.
+/// A value type: copies are independent. Thread rule: one thread at a time. Source: T V.3, spec
+/// 7.4.
 class NegotiationManager {
  public:
-  /// `born`: when this UAV came to life; what it vowed before it does not know.
+  /// `born`: when this node started; it does not know its vows from before.
   NegotiationManager(std::string self, std::uint32_t mission, Modalities modalities,
                      NegotiationLimits limits, MissionTime born);
   ~NegotiationManager();
@@ -119,14 +125,15 @@ class NegotiationManager {
   NegotiationManager(NegotiationManager&&) noexcept;
   NegotiationManager& operator=(NegotiationManager&&) noexcept;
 
-  /// Instants up to `now` pass first. Refused, without effect but for time: a negotiation that
-  /// makes no sense, with every reason; one whose subject is being negotiated; an offer or a
-  /// result that nobody asked for, or wants any more; a withdrawal from what is not begun, or after
-  /// the promise. Messages are never refused so: MessageRejected says why one had no effect.
+  /// Handles timers up to `now` first, then the input. Errors, without effect apart from the
+  /// timers: an invalid negotiation, with every reason; one whose subject is being negotiated
+  /// already; an offer or a result that was not asked for, or is no longer needed; a withdrawal
+  /// from a negotiation that was not begun, or after the promise. For messages there is no error:
+  /// MessageRejected tells why one had no effect.
   Result<NegotiationEffects, Failure> handle(const NegotiationInput& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
-  /// All sessions as known here, a line each: for logs, and for checkers: what managers with equal
-  /// texts do next is equal.
+  /// All known sessions, one line each, for logs and model checkers: managers with equal texts
+  /// behave equally from then on.
   std::string state_text() const;
 
  private:

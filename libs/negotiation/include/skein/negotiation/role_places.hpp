@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `best-view` and `relay-position` compute, by the refiners and under spatial constraints.
+// The functions `best-view` and `relay-position` of roles: places by the refiners that satisfy
+// spatial constraints.
 #pragma once
 
 #include <string>
@@ -11,25 +12,25 @@
 
 namespace skein::interaction {
 
-/// Where a role is to go.
+/// Common inputs of both functions.
 struct RolePlaceQuery {
   world::VehicleModel vehicle;
-  Position from{};              ///< where the UAV is
+  Position from{};              ///< position of the UAV [m, ENU]
   double clearance = 20;        ///< least height over the ground [m]
-  MissionTime at;               ///< volumes with a time window count from then on
-  std::vector<ActiveScm> scms;  ///< that are to hold there
+  MissionTime at;               ///< volumes that are closed at some time from then on count
+  std::vector<ActiveScm> scms;  ///< constraints that the place must satisfy
   ScmLimits limits;
 };
 
-/// Where a target is perceived best by a device of the vehicle, of the places where the SCMs hold:
-/// the viewpoint refiner's. Refused: as it refuses; an SCM of which some place is unknown.
+/// The viewpoint refiner's best place to perceive a target with a device of the vehicle, among the
+/// places where the SCMs hold. Errors: those of the refiner; an SCM refers to an unknown place.
 Result<Position, Failure> best_view(const RolePlaceQuery& query, const std::string& device,
                                     const Position& target, const Observer& observer,
                                     const refiners::Setting& setting);
 
-/// Where both ends are heard, over the real ground and in line of sight if the radio needs it, with
-/// `least_margin` [dB], and the SCMs hold: nearest to the relay refiner's best place. Refused: no
-/// such place was found; an SCM of which some place is unknown.
+/// A place with radio links to both ends, with a margin of at least `least_margin` [dB], over the
+/// real terrain and in line of sight if the radio needs it, where the SCMs hold; the nearest to the
+/// relay refiner's best place. Errors: no such place was found; an SCM refers to an unknown place.
 Result<Position, Failure> relay_position(const RolePlaceQuery& query, const Position& one,
                                          const Position& other, double least_margin,
                                          const Observer& observer,

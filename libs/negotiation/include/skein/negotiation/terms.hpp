@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a negotiation is about, and what its members tell each other.
+// Terms, messages and outcomes of negotiation sessions.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace skein::interaction {
 
-/// A named figure or some; what it means is the modality's. Numbers are finite.
+/// A named list of numbers, and a text; the modality defines the meaning. Numbers are finite.
 struct Row {
   std::string name;
   std::string text;
@@ -25,7 +25,7 @@ using Rows = std::vector<Row>;
 /// Most members of one session.
 inline constexpr std::size_t kMostMembers = 16;
 
-/// Names a session: what it is about, and who opened it when.
+/// Identifies a session: its subject, its opener, and when it was opened.
 struct SessionId {
   std::string subject;
   MissionTime opened;
@@ -35,65 +35,66 @@ struct SessionId {
 /// "mref/roles of karma at 12.5"
 std::string to_text(const SessionId& id);
 
-/// What the opener of a session fixes.
+/// The terms of a session, fixed by its opener.
 struct Terms {
-  std::string subject;  ///< the same at all who mean the same negotiation
+  std::string subject;  ///< identifies the negotiation at all members
   std::uint32_t mission = 0;
   std::string modality;
-  std::vector<std::string> members;  ///< from 2 to kMostMembers, in order, each once
+  std::vector<std::string> members;  ///< from 2 to kMostMembers, sorted, each once
   ModelHash model;
-  Rows parameters;  ///< of the modality; who joins takes those of the opener
+  Rows parameters;  ///< of the modality
   std::string opener;
   MissionTime opened;
   MissionTime deadline;  ///< > opened
   bool operator==(const Terms&) const = default;
 
   SessionId id() const { return {subject, opened, opener}; }
-  /// Who promises last, and so decides.
+  /// The member that promises last, and thereby decides.
   const std::string& decider() const { return members.front(); }
-  /// Who has not promised by then refuses. The rest of the time is there for everybody to hear it.
+  /// Members that have not promised by then refuse. The rest of the time until the deadline serves
+  /// to spread the decision.
   MissionTime settled_by() const {
     return opened + Duration::nanoseconds((deadline - opened).count() / 2);
   }
 };
 
-/// What is wrong with terms, whatever their modality; empty if nothing.
+/// The errors of terms that do not depend on the modality; empty if there are none.
 std::vector<std::string> problems_of(const Terms& terms);
 
-/// What one member is known to have said in a session. Each is said once and for all.
+/// What one member is known to have said in a session. Offer and vow are final once made.
 struct Entry {
   enum class Vow : std::uint8_t { kNone, kPromised, kRefused };
   std::string uav;
   bool offered = false;
   Rows offer;
   Vow vow = Vow::kNone;
-  std::uint64_t result = 0;  ///< fingerprint of the result that was promised
-  std::string why;           ///< it was refused
-  bool lost = false;         ///< restarted since: it will vow no more
+  std::uint64_t result = 0;  ///< hash of the promised result
+  std::string why;           ///< the reason of a refusal
+  bool lost = false;         ///< the member restarted since, and will make no vow
   bool operator==(const Entry&) const = default;
 };
 
-/// All that a member knows of a session. To receive one is to merge it: order, doubles and losses
-/// are no matter.
+/// All that a member knows of a session. Receivers merge it into their knowledge, so that order,
+/// duplication and loss of messages do not matter.
 struct SessionMessage {
   std::string from;
   Terms terms;
   std::vector<Entry> entries;  ///< one for each member, in their order
-  bool wants_echo = false;     ///< `from` does not know that the receiver knows all this
+  bool wants_echo = false;     ///< the receiver is to confirm that it knows all this
   bool operator==(const SessionMessage&) const = default;
 };
 
-/// How a session came out at one member.
+/// The outcome of a session at one member.
 struct NegotiationOutcome {
   enum class Kind : std::uint8_t {
     kAgreed,
     kFailed,
-    kUndecided,  ///< it promised, and heard from nobody who knows whether all did
+    kUndecided,  ///< the member promised, and does not know whether all others did
   };
   Kind kind = Kind::kFailed;
   Rows result;                           ///< of kAgreed and kUndecided
   std::string why;                       ///< of kFailed and kUndecided
-  std::vector<std::string> unconfirmed;  ///< of kAgreed, at the decider: who may not know yet
+  std::vector<std::string> unconfirmed;  ///< of kAgreed, at the decider: members that may not know
   bool operator==(const NegotiationOutcome&) const = default;
 };
 /// "agreed", "failed", "undecided".
