@@ -18,13 +18,13 @@ namespace skein::interaction {
 
 enum class BlockType : std::uint8_t {
   kPlan,  ///< ends when all its content is over
-  kLoop,  ///< begins anew when all its content is over; only its exit ends it
+  kLoop,  ///< begins anew when all its content is over; ends only by its exit condition
 };
 
-/// What the end of a block means to the block around it.
+/// Effect of the end of a block on the parent block.
 enum class EndMode : std::uint8_t {
-  kWait,       ///< nothing: the others are waited for
-  kImmediate,  ///< the rest is interrupted; a plan ends, a loop begins anew
+  kWait,       ///< none: the parent waits for its other content
+  kImmediate,  ///< the parent's other content is interrupted; a plan ends, a loop begins anew
 };
 
 /// A parameter computed when its block is activated. Source: T V.4.2 (PL).
@@ -40,11 +40,11 @@ struct Block {
   EndMode end = EndMode::kWait;
   Formula precondition, exit;
   std::vector<LocalParameter> locals;
-  std::vector<std::string> scms;       ///< hold while it is active
+  std::vector<std::string> scms;       ///< SCMs that must hold while the block is active
   std::vector<ComponelIndex> content;  ///< not empty
 };
 
-/// High-level or elementary, carried out by the supervisor. Source: T def. V.7.
+/// A high-level or elementary task, carried out by the supervisor. Source: T def. V.7.
 struct Task {
   std::string type;
   config::Value parameters;  ///< a map, or nothing
@@ -59,7 +59,7 @@ struct CoordinationAction {
 /// One element of an automaton.
 struct Componel {
   std::string id;
-  ComponelIndex parent = 0;  ///< of the main block: itself
+  ComponelIndex parent = 0;  ///< for the main block: its own index
   std::variant<Block, Task, CoordinationAction> what;
   std::string path;  ///< in its document
   int line = 0;      ///< in its document, from 1; 0: unknown
@@ -70,12 +70,12 @@ struct Componel {
   const CoordinationAction* action() const { return std::get_if<CoordinationAction>(&what); }
 };
 
-/// Componels in document order; the main block is the first. The content of a block, whatever its
-/// depth, is the range from behind it to end_of(). Ids are unique.
+/// Componels in document order; the main block is the first. All content of a block, at any depth,
+/// is the range from the index after the block to end_of(). Ids are unique.
 class Automaton {
  public:
-  /// Appends a componel behind the content so far of `parent`, itself the last block begun that is
-  /// not finished. The index of the new one; absent if its id is there already.
+  /// Appends a componel to the content of its parent, which must be the last block or one around
+  /// it. Returns the new index; absent if the id is in use already.
   std::optional<ComponelIndex> add(Componel componel);
 
   bool empty() const { return componels_.empty(); }
@@ -86,7 +86,7 @@ class Automaton {
 
   std::optional<ComponelIndex> find(std::string_view id) const;
   std::vector<std::string> ids() const;
-  /// The first componel after everything in this one. Cost: depth of the automaton.
+  /// Index of the first componel after the content of this one. Cost: depth of the automaton.
   ComponelIndex end_of(ComponelIndex index) const;
   bool contains(ComponelIndex outer, ComponelIndex inner) const {
     return outer < inner && inner < end_of(outer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an automaton can never do, found before it is run.
+// Static check of an automaton: what it can never do.
 #pragma once
 
 #include <string>
@@ -10,11 +10,12 @@
 
 namespace skein::interaction {
 
-/// Reports blocks that can never be activated, conditions that can never hold, and loops without a
-/// way out: no exit of their own, nor of a block around them, nor the end of an immediate block
-/// beside them (the main block's exit on messages alone is an interruption, no way out). What is
-/// reported is certain: whatever tasks, negotiations, messages and time do, it cannot be.
-/// Cost: O(componels × conditions) for each round of what makes what possible. Source: spec 7.1.
+/// Reports blocks that can never be activated, conditions that can never be true, and loops that
+/// nothing ends: neither their own exit, nor the exit of a block around them, nor the end of an
+/// immediate block beside them (the main block's exit on messages alone counts as an interruption).
+/// There are no false reports: no behaviour of tasks, negotiations, messages and time makes the
+/// reported thing possible. Cost: O(componels × conditions) per iteration of the fixed point.
+/// Source: spec 7.1.
 void check_automaton(const Automaton& automaton, const std::string& file, Diagnostics& problems);
 
 }  // namespace skein::interaction

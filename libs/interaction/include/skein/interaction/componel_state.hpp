@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of what an execution automaton is made of, and what may still follow each.
+// The states of componels of an execution automaton, and which states may follow.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace skein::interaction {
 
 /// State of a componel (block, task or coordination action). Source: T V.4.2, spec 7.2, 7.8.
 enum class ComponelState : std::uint8_t {
-  kNone,  ///< its parent has not activated it: every state is possible
+  kNone,  ///< its parent has not activated it yet: every state is still possible
   kScheduled,
   kRunning,
   kAborting,  ///< told to stop, not yet confirmed
@@ -24,7 +24,7 @@ constexpr bool is_over(ComponelState state) {
   return state == ComponelState::kEnded || state == ComponelState::kAborted;
 }
 
-/// What a condition asks of a componel.
+/// The state that a condition asks for.
 enum class AskedState : std::uint8_t {
   kScheduled,
   kRunning,
@@ -39,9 +39,9 @@ std::string_view to_text(AskedState asked);
 
 bool is_in(ComponelState state, AskedState asked);
 
-/// Whether a componel that is not in the asked state may still come there before its parent is
-/// activated again: from scheduled to all but scheduled; from running to aborting, aborted, ended;
-/// from aborting to aborted; from ended and aborted nowhere.
+/// Whether a componel that is not in the asked state may still reach it before its parent is
+/// activated again: from scheduled all states except scheduled; from running aborting, aborted,
+/// ended; from aborting aborted; from ended and aborted none.
 bool may_reach(ComponelState state, AskedState asked);
 
 }  // namespace skein::interaction

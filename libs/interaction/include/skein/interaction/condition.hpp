@@ -13,7 +13,7 @@
 
 namespace skein::interaction {
 
-/// Place of a componel in document order (a block before its content, content as listed).
+/// Index of a componel in document order (a block before its content, content as listed).
 using ComponelIndex = std::size_t;
 
 /// The componel is in this state. Source: T def. V.11.
@@ -23,17 +23,17 @@ struct ComponelIs {
   bool operator==(const ComponelIs&) const = default;
 };
 
-/// The message is pending for the block whose condition this is. Source: T def. V.12, spec 7.8.
+/// The message is pending for the block that has this condition. Source: T def. V.12, spec 7.8.
 struct MessagePending {
   std::string message;
   bool operator==(const MessagePending&) const = default;
 };
 
-/// The instant `after` a reference has passed (the present is at it or after it), or not yet. An
-/// instant after an event that has not happened in this activation has not passed yet.
+/// The instant `since` + `after` has passed, i.e. is not in the future (`passed`), or has not
+/// passed. An instant after an event that has not happened in this activation has not passed.
 /// Source: T def. V.13, spec 7.8.
 struct TimeIs {
-  struct Epoch {  ///< of the mission
+  struct Epoch {  ///< mission time zero
     bool operator==(const Epoch&) const = default;
   };
   struct ModelStart {
@@ -51,13 +51,13 @@ struct TimeIs {
   bool operator==(const TimeIs&) const = default;
 };
 
-/// What becomes of a literal that can never be true any more.
+/// Value of a literal that can never be true any more.
 enum class Modality : std::uint8_t {
-  kMandatory,  ///< its clause has to do without it
+  kMandatory,  ///< impossible: only other literals can make its clause true
   kOptional,   ///< it counts as true
 };
 
-/// What the exit of a loop leads to. Source: T def. V.10.
+/// Effect of the exit of a loop. Source: T def. V.10.
 enum class ExitEffect : std::uint8_t {
   kExit,
   kContinue,  ///< the contents are interrupted and the loop begins anew

@@ -11,8 +11,8 @@ namespace skein::interaction {
 
 /// "t11 ended", "not message 'stop'", "900 s after t13 running".
 std::string describe(const Literal& literal, const Automaton& automaton);
-/// One line for each clause: "t11 ended or message 'go'", "and …"; of a loop's exit with what it
-/// leads to.
+/// One line for each clause: "t11 ended or message 'go'", "and …"; with the effect for a loop's
+/// exit.
 std::vector<std::string> describe(const Formula& formula, const Automaton& automaton);
 /// "endurance ≥ 900", "camera: visible", "hovering".
 std::string describe(const Requirement& requirement);

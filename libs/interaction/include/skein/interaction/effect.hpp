@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the engine of a role does, in the order in which it happens. Source: spec 7.8.
+// Effects of a role's engine, in the order in which they arise. Source: spec 7.8.
 #pragma once
 
 #include <string>
@@ -35,19 +35,19 @@ struct Negotiate {
   bool operator==(const Negotiate&) const = default;
 };
 
-/// Stop this task, then report how it came out.
+/// Stop this task, then report its final state.
 struct Interrupt {
   std::string task;
   bool operator==(const Interrupt&) const = default;
 };
 
-/// Leave this negotiation, then report how it came out.
+/// Leave this negotiation, then report its final state.
 struct Withdraw {
   std::string action;
   bool operator==(const Withdraw&) const = default;
 };
 
-/// A pending message is read by a block, and pending no more for it.
+/// A block reads a pending message, which is then no longer pending for that block.
 struct Read {
   std::string message;
   std::string by;
@@ -57,7 +57,7 @@ struct Read {
 /// The last effect: the main block is over.
 struct ModelOver {
   ComponelState state = ComponelState::kEnded;  ///< ended or aborted
-  std::string why;                              ///< if the engine itself aborted it
+  std::string why;                              ///< if the engine itself aborted the model
   bool operator==(const ModelOver&) const = default;
 };
 

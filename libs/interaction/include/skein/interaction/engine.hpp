@@ -14,13 +14,15 @@
 namespace skein::interaction {
 
 /// Runs one automaton once. Blocks are inactive (BI: scheduled), active (BA: running or aborting)
-/// or out (not activated, or over). An input changes states or adds messages; then cycles of
-///   1. exits of BI: what is true is read, the block is aborted and never activated;
-///   2. exits of BA, not of who is leaving: read; a loop whose true literals all say continue
-///      begins anew, every other block is deactivated;
-///   3. preconditions of BI: true: read, activated; never to be true: aborted
-/// until one changes nothing. Each step goes through the blocks that are there when it begins, in
-/// document order; a condition sees all that was done before it is looked at.
+/// or out (not activated, or over). An input changes states or adds messages; then the engine
+/// cycles through three steps until a cycle changes nothing:
+///   1. exits of blocks in BI: if true, its messages are read and the block is aborted;
+///   2. exits of blocks in BA that are not leaving: if true, its messages are read; a loop whose
+///      true literals all have the effect kContinue begins anew, other blocks are deactivated;
+///   3. preconditions of blocks in BI: if true, its messages are read and the block is activated;
+///      if it can never be true, the block is aborted.
+/// Each step visits the blocks that are in BI or BA when it begins, in document order; a condition
+/// is evaluated on the state at its turn.
 ///
 ///   from                on                                            to
 ///   (new)               its parent is activated                       scheduled
@@ -32,13 +34,12 @@ namespace skein::interaction {
 ///   running (plan)      content over, end of an immediate block       ended
 ///   aborting            status; of blocks: content over               aborted
 ///
-/// Laws: no block is active outside an active parent; what is activated comes to an end as soon as
-/// its tasks and actions do; what is interrupted is told; same inputs, same effects.
-/// A loop that begins anew 1,000 times at one instant aborts the model.
-/// Cost: an input costs in proportion to the conditions that name what it changes and to the
-/// componels that change, with logarithmic look-ups; never to the automaton's size.
-/// Thread rule: one thread at a time.
-/// Source: T V.4.2, figures V.8 and V.9, spec 7.2, 7.8.
+/// Laws: no block is active outside an active parent; an activated block is over as soon as its
+/// tasks and actions are, if it is left; every interruption is an effect; same inputs, same
+/// effects. A loop that begins anew 1,000 times at one instant aborts the model. Cost of an input:
+/// proportional to the componels that change and to the conditions on them, with logarithmic
+/// look-ups; independent of the automaton's size. Thread rule: one thread at a time. Source: T
+/// V.4.2, figures V.8 and V.9, spec 7.2, 7.8.
 class Engine {
  public:
   explicit Engine(std::shared_ptr<const Automaton> automaton);
@@ -46,10 +47,10 @@ class Engine {
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) noexcept;
 
-  /// Instants up to and at `now` that conditions wait for pass first, in order, each with cycles of
-  /// its own; then the input. Refused, without any effect: a `now` before the last one, a second
-  /// start, a status of what is no task or action of the automaton. After the end of the model
-  /// everything else is accepted and changes nothing.
+  /// Handles the instants up to and including `now` that conditions wait for, in order, each with
+  /// its own cycles; then the input. Errors, without any effect: a `now` before the last one, a
+  /// second Start, a Status for a componel that is not a task or action. After the end of the model
+  /// all other inputs are accepted and change nothing.
   Result<Effects, Failure> handle(const Input& input, MissionTime now);
 
   /// The next instant that a condition of a block waits for; call handle(Tick{}, …) then.

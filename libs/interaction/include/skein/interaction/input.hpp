@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that can happen to the engine of a role. Source: spec 7.8.
+// Inputs of a role's engine. Source: spec 7.8.
 #pragma once
 
 #include <cstdint>
@@ -9,33 +9,33 @@
 
 namespace skein::interaction {
 
-/// The model begins: its main block waits to be activated. Once.
+/// The model begins: its main block is scheduled. At most once.
 struct Start {};
 
 /// The model is to end; without effect before the start and after the end.
 struct Abort {};
 
-/// What a task or a coordination action does, from who carries it out.
+/// The state of a task or a coordination action, reported by the component that carries it out.
 struct Status {
   enum class Word : std::uint8_t { kRunning, kEnded, kAborted };
   std::string componel;
   Word word = Word::kRunning;
 };
 
-/// Internal or from other UAVs.
+/// A message, internal or from another UAV.
 struct Message {
   std::string text;
 };
 
-/// What the checker of spatial constraints found. Heard as the message "ID violated" and so on,
-/// while a block is active in which this SCM holds.
+/// A finding of the spatial constraint checker. Acts as the message "ID violated" (or "satisfied",
+/// "undetermined") while a block that has this SCM is active.
 struct ScmReport {
   enum class Finding : std::uint8_t { kViolated, kSatisfied, kUndetermined };
   std::string scm;
   Finding finding = Finding::kViolated;
 };
 
-/// Nothing but that time passes.
+/// Time passes.
 struct Tick {};
 
 using Input = std::variant<Start, Abort, Status, Message, ScmReport, Tick>;

@@ -26,7 +26,7 @@ enum class ParameterType : std::uint8_t {
 };
 /// "Obj", "Point", "Time", "UAVlist", "Number", "Text".
 std::string_view to_text(ParameterType type);
-/// Whether what is `given` may stand where `wanted` is asked for.
+/// Whether an argument of type `given` may be used for a parameter of type `wanted`.
 constexpr bool fits(ParameterType given, ParameterType wanted) {
   return given == wanted || (given == ParameterType::kObj && wanted == ParameterType::kPoint);
 }
@@ -93,7 +93,7 @@ struct Scm {
   std::vector<SpatialConstraint> constraints;
 };
 
-/// How many UAVs hold a role.
+/// Number of UAVs that may hold a role.
 struct Arity {
   int least = 1;
   std::optional<int> most;
@@ -102,35 +102,36 @@ struct Arity {
 /// "1", "at least 1", "at most 3", "1 to 3".
 std::string to_text(const Arity& arity);
 
-/// An action of one role is carried out together with an action of another, or of the same.
-/// Source: T def. V.3.
+/// A coordination action of one role is carried out together with one of another, or the same,
+/// role. Source: T def. V.3.
 struct Correspondence {
   std::string role, action;
   std::string target_role, target_action;
-  std::optional<int> number;  ///< how many who hold the target role take part; absent: everyone
+  std::optional<int> number;  ///< number of holders of the target role that take part; absent: all
 };
 
-/// An SCM with its places and numbers.
+/// An SCM with arguments.
 struct ScmInstance {
   std::string id;
   std::string scm;
-  /// Of a place: a parameter of the variant, a role (who holds it), or "R*" (every other member).
+  /// For a place: a parameter of the variant, a role (meaning its holders), or "R*" (every other
+  /// member).
   std::map<std::string, Term> arguments;
 };
 
-/// Where an SCM holds: while one of these blocks of a role is active. Source: T def. V.4.
+/// When an SCM must hold: while one of these blocks of the role is active. Source: T def. V.4.
 struct ScmPlace {
   std::string id, role;
   std::vector<std::string> blocks;
 };
 
-/// What binds roles and SCMs. Source: T V.2.4.
+/// Binds the roles and SCMs of a variant. Source: T V.2.4.
 struct CoordinationTable {
   std::map<std::string, Arity> arities;         ///< by role
-  std::vector<Correspondence> correspondences;  ///< each from both sides
+  std::vector<Correspondence> correspondences;  ///< each is listed for both sides
   std::vector<ScmInstance> scms;
   std::vector<ScmPlace> places;
-  /// By role and its parameter: the parameter of the variant.
+  /// The variant's parameter, by role and parameter of the role.
   std::map<std::string, std::map<std::string, std::string>> parameters;
 };
 
@@ -144,21 +145,21 @@ struct Variant {
   std::set<std::string> by_ground = {};
 };
 
-/// The variants for one type of elementary joint tasks, which bears its name.
+/// The variants of one type of elementary joint task; `task` is the name of that type.
 struct Model {
   std::string task;
   std::vector<Variant> variants;
 };
-/// The ground station may play some role of some variant.
+/// Whether the ground station may play some role of some variant.
 bool has_roles_by_ground(const Model& model);
 
-/// What computes a local parameter.
+/// Signature of a function that computes a local parameter.
 struct Function {
   std::vector<ParameterType> takes;
   ParameterType gives = ParameterType::kPoint;
 };
 
-/// Everything that was read together. What is in it is checked: all names exist, all types fit.
+/// All definitions that were read together, checked: all names exist, all types fit.
 struct Library {
   std::map<std::string, Role> roles;
   std::map<std::string, Scm> scms;
@@ -167,7 +168,7 @@ struct Library {
   std::map<std::string, Function> functions;  ///< best-view, relay-position, valid-position, …
 };
 
-/// A role as it is played in a variant: its blocks hold the SCMs that the table says.
+/// The automaton of a role in a variant: its blocks have the SCMs of the coordination table.
 Automaton automaton_in(const Library& library, const Variant& variant, const std::string& role);
 
 }  // namespace skein::interaction

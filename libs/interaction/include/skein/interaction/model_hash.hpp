@@ -9,18 +9,19 @@
 
 namespace skein::interaction {
 
-/// Of what a model says. Not of how it is written: files, lines, comments, the order of the keys of
-/// a map, and spellings of one number are no matter; nor is what no role of it uses. The order of
-/// lists is (of content, of variants, of the parameters of a task).
+/// Hash of a model's meaning. Independent of how the model is written (files, lines, comments,
+/// order of map keys, spelling of numbers) and of definitions that none of its roles uses;
+/// dependent on the order of lists (content, variants, parameters of a task).
 struct ModelHash {
   std::uint64_t value = 0;
   bool operator==(const ModelHash&) const = default;
 };
 
-/// Of the model for that type of joint task, with its roles and their automata, SCMs, tables, and
-/// the tasks and functions that these name. Precondition: the library has it. Source: spec 7.3.
+/// Hash of the model for that type of joint task, including its roles and their automata, SCMs,
+/// tables, and the tasks and functions that these use. Precondition: the library has the model.
+/// Source: spec 7.3.
 ModelHash hash_of(const Library& library, const std::string& task);
-/// Of all its models, by task.
+/// Hashes of all models of the library, by task type.
 std::map<std::string, ModelHash> hashes_of(const Library& library);
 
 /// Sixteen hexadecimal digits.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A spatial constraint whose places are known: what it says of a position.
+// A spatial constraint with known places, to be evaluated at a position.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,17 @@
 
 namespace skein::interaction {
 
-/// Where a name is, as far as that counts; absent: unknown, or too long ago.
+/// The position of a named object, point or UAV; absent: unknown, or too old.
 using Whereabouts = std::function<std::optional<Position>(const std::string& name)>;
 
-/// What an observer knows that is not older than the limits say. Both must outlive the result.
+/// The positions known to an observer that are not older than the limits. Observer and limits must
+/// outlive the result.
 Whereabouts known_by(const Observer& observer, MissionTime now, const ScmLimits& limits);
 
-/// One constraint on one of the names that its first place stands for.
+/// One constraint, for one of the names that its first place stands for.
 class PlacedConstraint {
  public:
-  std::size_t index = 0;  ///< in its SCM
+  std::size_t index = 0;  ///< of the constraint in its SCM
   std::string place;
   SpatialConstraint::Quantity quantity = SpatialConstraint::Quantity::kDistance;
   Relation relation = Relation::kLess;
@@ -27,15 +28,17 @@ class PlacedConstraint {
   double reference = 0;         ///< [m] or [rad]
   double tolerance = 0;
 
-  /// Distance, azimuth or altitude of a position; absent: it has no direction from there.
+  /// Distance [m], azimuth or altitude [rad] of a position; absent: the direction is undefined
+  /// there.
   std::optional<double> value_of(const Position& at) const;
-  /// By how much the relation holds for a value; negative if it does not [m] or [rad].
+  /// Margin by which the relation holds for a value; negative if it does not [m] or [rad].
   double slack(double value) const;
   bool holds_by(double slack) const;
   bool holds(const Position& at) const;
 };
 
-/// What an SCM says in a binding: absent where some place is unknown or gives no direction.
+/// The constraints of an SCM under a binding; an element is absent if some place of it is unknown
+/// or its reference direction is undefined.
 std::vector<std::optional<PlacedConstraint>> placed(const Scm& scm, const ScmBinding& binding,
                                                     const Whereabouts& whereabouts);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An execution automaton from its document.
+// Reads an execution automaton from its document.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@
 
 namespace skein::interaction {
 
-/// The automaton whose main block this is; what is wrong with its form is added to the reader's
-/// diagnostics (unknown keys and names, ids that are there twice, empty contents, loops without
-/// anything to do, `continue` outside of loops, times that are none) and then the result must not
-/// be used. What it would do is not looked at: check_role() does. Source: spec 7.8.
+/// The automaton with this main block. Errors of form are added to the reader's diagnostics
+/// (unknown keys and names, duplicate ids, empty contents, loops without tasks, `continue` outside
+/// of loops, invalid times); the result must not be used then. Behaviour is not checked here, but
+/// by check_automaton(). Source: spec 7.8.
 Automaton read_automaton(const config::Reader& main_block);
 
 /// The same from a text, YAML or JSON. `file` is for messages.

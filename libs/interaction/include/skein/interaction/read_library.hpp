@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Roles, spatial constraint models and interaction models from their documents.
+// Reads roles, spatial constraint models and interaction models from their documents.
 #pragma once
 
 #include <functional>
@@ -19,20 +19,20 @@ struct Document {
   config::Value value;
 };
 
-/// Files that a document names under `uses`, as written: relative to its own.
+/// The files that a document names under `uses`, as written: relative to the document.
 std::vector<std::string> uses_of(const Document& document);
 
-/// What reads one file.
+/// Reads one file.
 using ReadFile = std::function<Result<config::Value, Diagnostics>(const std::string& path)>;
-/// These files and all that they use, each read once, whoever uses it; or every error of reading:
-/// without one of them half of the names would be unknown.
+/// These files and, transitively, the files that they use, each read once; or every error of
+/// reading.
 Result<std::vector<Document>, Diagnostics> documents_of(const std::vector<std::string>& files,
                                                         const ReadFile& read);
 
-/// Reads documents together, in any order: what one defines the others may use. Everything is
-/// checked: names exist and are there once, types fit, correspondences are of one modality and
-/// symmetric, arities can be satisfied, SCMs hold somewhere and are possible, and what
-/// check_automaton() finds. Every error at once. Source: spec 7.1.
+/// The library of all documents, in any order; each may use definitions of the others. Checks that
+/// names exist and are unique, types fit, correspondences are symmetric and of one modality,
+/// arities can be satisfied, SCMs are used and satisfiable, and runs check_automaton(). Returns
+/// every error at once. Source: spec 7.1.
 Result<Library, Diagnostics> read_library(const std::vector<Document>& documents);
 
 }  // namespace skein::interaction

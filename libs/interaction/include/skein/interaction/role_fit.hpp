@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who can play a role, what it amounts to if all goes well, and which variant a team can play.
+// Whether a UAV can play a role, the role's nominal path, and which variant a team can play.
 #pragma once
 
 #include <map>
@@ -12,28 +12,28 @@
 
 namespace skein::interaction {
 
-/// What a UAV has of one capability: values (`camera: visible`, `camera: ir`), a figure
-/// (`endurance`), or nothing but that it has it.
+/// A capability of a UAV: with values (`camera: visible`, `camera: ir`), with a figure
+/// (`endurance`), or neither.
 struct Capability {
   std::set<std::string> values;
   std::optional<double> figure;
 };
 using Capabilities = std::map<std::string, Capability>;
 
-/// The requirements of a role that are not met, all of them. Source: T def. V.1, V.3.2.
+/// All requirements of a role that the capabilities do not meet. Source: T def. V.1, V.3.2.
 std::vector<Requirement> unmet(const Role& role, const Capabilities& capabilities);
 
-/// What a role does as long as everything ends well and nothing but that happens: no messages, so
-/// no contingencies and no negotiation. Each task at most once: where a loop would begin the same
-/// again the path is over.
+/// A step of the nominal path: the tasks of a role if each ends successfully and there are no
+/// messages, hence no contingencies and no negotiations. Each task comes at most once: the path
+/// ends where a loop would repeat one.
 struct NominalStep {
-  std::string task;                   ///< its id
-  std::vector<std::string> computed;  ///< local parameters computed since the step before
+  std::string task;                   ///< id of the task
+  std::vector<std::string> computed;  ///< local parameters computed since the previous step
 };
-/// In the order in which they are begun. Source: T V.3.2 ("chemin nominal").
+/// The nominal path, in the order in which its tasks begin. Source: T V.3.2 ("chemin nominal").
 std::vector<NominalStep> nominal_path(const Automaton& automaton);
 
-/// The first variant that so many UAVs can play by its arities; null: none.
+/// The first variant whose arities permit `members` UAVs; null: none.
 const Variant* variant_for(const Model& model, std::size_t members);
 
 }  // namespace skein::interaction

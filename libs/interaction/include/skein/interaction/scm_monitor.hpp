@@ -19,36 +19,36 @@ namespace skein::interaction {
 /// East, north, up [m] in the local frame.
 using Position = std::array<double, 3>;
 
-/// Where something was seen, and when.
+/// A known position of an object, point or UAV, and its time.
 struct Sighting {
   Position position{};
   MissionTime at;
-  bool by_sensors = false;  ///< it is seen now and then, and counts for longer
+  bool by_sensors = false;  ///< from sensors, which are rare: its age limit is oldest_seen
 };
 
-/// What the observer knows of a name: an object, a point, a UAV. Absent: nothing.
+/// The last sighting of a named object, point or UAV; absent: unknown.
 using Observer = std::function<std::optional<Sighting>(const std::string& name)>;
 
-/// What the places and numbers of an SCM stand for.
+/// The values of an SCM's places and numbers.
 struct ScmBinding {
-  /// A constraint on a place of several names (R*, a role that several hold) is one for each of
-  /// them.
+  /// Names by place. A constraint on a place with several names (R*, a role with several holders)
+  /// must hold for each of them.
   std::map<std::string, std::vector<std::string>> places;
   std::map<std::string, double> numbers;
 };
 
-/// Noise and age of positions. Not negative.
+/// Tolerances for noise and age of positions. Not negative.
 struct ScmLimits {
-  double distance = 1;                     ///< beyond its bound before a violation has ended [m]
-  double angle = 0.02;                     ///< the same of angles [rad]
+  double distance = 1;                     ///< margin by which a violation must end, distances [m]
+  double angle = 0.02;                     ///< the same for angles [rad]
   Duration oldest = Duration::seconds(5);  ///< an older position counts as unknown
-  Duration oldest_seen = Duration::seconds(30);  ///< the same of what sensors see
-  /// What the place of an object that sensors follow may be off [m]: an angle at it is not violated
-  /// by less than what that makes of it.
+  Duration oldest_seen = Duration::seconds(30);  ///< the same for positions from sensors
+  /// Position error of objects tracked by sensors [m]: an angle at such an object is violated only
+  /// by more than the angle that this error causes.
   double seen = 0;
 };
 
-/// One constraint as it was measured.
+/// A constraint with its measured value.
 struct Measured {
   std::size_t constraint = 0;  ///< in the SCM
   std::string place;           ///< the first of its names
@@ -56,34 +56,35 @@ struct Measured {
   double measured = 0, required = 0;  ///< [m] or [rad]
 };
 
-/// A change of what is found.
+/// A change of the finding.
 struct ScmFound {
   ScmReport report;
-  std::optional<Measured> why;  ///< of a violation: the constraint that is missed by most
+  std::optional<Measured> why;  ///< of a violation: the constraint with the greatest violation
 };
 
-/// A violation begins when some constraint does not hold (an angle at what sensors follow: by more
-/// than its place may be off), and ends when all hold by the margin of
-/// the limits: positions that shake by less than half of it change the finding at most once. While
-/// no constraint is known to be violated and some place is unknown, too old, or gives no direction,
-/// it is undetermined. Before the first update it counts as satisfied. Each change is told once.
-/// Cost of an update: O(constraints × names). Thread rule: one thread.
-/// Source: T V.2.3, V.4.3, spec 7.5, 7.6.
+/// A violation begins when some constraint does not hold (for an angle at an object tracked by
+/// sensors: by more than ScmLimits::seen causes), and ends when all hold by the margins of the
+/// limits: position noise of less than half a margin changes the finding at most once. The finding
+/// is "undetermined" while no constraint is known to be violated and some place is unknown, too
+/// old, or gives no direction. Before the first update it is "satisfied". Each change is reported
+/// once. Cost of an update: O(constraints × names). Thread rule: one thread. Source: T V.2.3,
+/// V.4.3, spec 7.5, 7.6.
 class ScmMonitor {
  public:
-  /// Every place and number of the SCM is bound.
+  /// Precondition: every place and number of the SCM is bound.
   ScmMonitor(std::string id, Scm scm, ScmBinding binding, ScmLimits limits);
 
-  /// From the UAV at `own`, with what the observer knows at `now`.
+  /// Evaluates the SCM for the UAV at `own` with the observer's positions at `now`; returns the
+  /// finding if it changed.
   std::optional<ScmFound> update(const Position& own, const Observer& observer, MissionTime now);
   ScmReport::Finding finding() const { return finding_; }
 
  private:
   /// What one update finds.
   struct Round {
-    bool unknown = false;            ///< some place
-    bool clear = true;               ///< all that is known holds by the margin
-    std::optional<Measured> missed;  ///< by most
+    bool unknown = false;            ///< some place is unknown
+    bool clear = true;               ///< all constraints with known places hold by the margin
+    std::optional<Measured> missed;  ///< the constraint with the greatest violation
   };
   Round measure(const Position& own, const Observer& observer, MissionTime now) const;
 
@@ -95,8 +96,8 @@ class ScmMonitor {
 };
 
 /// Direction of a place in the celestial frame of two points [rad]: azimuth from 0 to 2π, 0 towards
-/// `toward`, counter-clockwise; altitude from -π/2 to π/2. Absent where there is none: straight
-/// above the origin, or a frame without direction.
+/// `toward`, counter-clockwise; altitude from -π/2 to π/2. Absent where undefined: straight above
+/// the origin, or in a frame without direction.
 std::optional<double> azimuth_in(const Position& origin, const Position& toward,
                                  const Position& place);
 std::optional<double> altitude_in(const Position& origin, const Position& place);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where spatial constraints hold: what `valid-position()` computes.
+// The function `valid-position()`: a position where spatial constraints hold.
 #pragma once
 
 #include <cstdint>
@@ -14,52 +14,53 @@
 
 namespace skein::interaction {
 
-/// An SCM that is to hold, with what its places and numbers stand for.
+/// An SCM that must hold, with its binding.
 struct ActiveScm {
   std::string id;
   Scm scm;
   ScmBinding binding;
 };
 
-/// Where one may be at all.
+/// The positions that are permitted at all.
 struct FreeAir {
-  Position low{}, high{};                      ///< nothing outside this box is looked at
-  std::function<bool(const Position&)> holds;  ///< pure
+  Position low{}, high{};                      ///< box of the search [m, ENU]
+  std::function<bool(const Position&)> holds;  ///< whether a position is permitted; pure
 };
-/// In the airspace's box over the terrain; from `clearance` to the vehicle's ceiling over the
-/// ground; in no volume that closes from `at` on. The world must outlive it.
+/// Positions in the airspace's box over the terrain, between `clearance` and the vehicle's ceiling
+/// over the ground, and in no volume that is closed at some time from `at` on. The world must
+/// outlive the result.
 FreeAir free_air_of(const world::World& world, const world::VehicleModel& vehicle, double clearance,
                     MissionTime at);
 
 struct ValidPositionQuery {
   std::vector<ActiveScm> scms;
   FreeAir air;
-  Position from{};   ///< where the UAV is: nearer is better
-  ScmLimits limits;  ///< a position that holds by their margins is better
+  Position from{};   ///< position of the UAV; results near it are preferred
+  ScmLimits limits;  ///< results that satisfy the SCMs by these margins are preferred
   std::uint64_t seed = 1;
   std::uint64_t budget = 40'000;  ///< positions tried
 };
 
 struct ValidPosition {
   Position position{};
-  bool by_margin = false;   ///< all constraints hold by the margins: none is violated soon
+  bool by_margin = false;   ///< all constraints hold by the margins of the limits
   std::uint64_t tried = 0;  ///< positions
 };
 
 enum class NoPosition : std::uint8_t {
   kUnknownPlace,  ///< some place is unknown or too old
-  kNoneFound,     ///< within the budget: there may be one
+  kNoneFound,     ///< none was found within the budget; there may be one
 };
 struct NoValidPosition {
   NoPosition kind = NoPosition::kNoneFound;
   std::string why;
 };
 
-/// From starts all over the box that the constraints on distances leave, beginning with `from`:
-/// satisfies one constraint after the other by steps at random that break none of those before,
-/// each to the least violated of its neighbours; then moves the position to where all hold by the
-/// margins, then nearer to `from`. One seed, one answer. Cost: budget × constraints.
-/// Source: T V.4.3, spec 7.5.
+/// Local search with restarts over the box that the distance constraints leave, the first one from
+/// `from`. Satisfies one constraint after the other by random steps that keep the earlier ones,
+/// each step to the least violated neighbour; then moves to a position where all hold by the
+/// margins, then nearer to `from`. Deterministic for a seed. Cost: budget × constraints. Source: T
+/// V.4.3, spec 7.5.
 Result<ValidPosition, NoValidPosition> valid_position(const ValidPositionQuery& query,
                                                       const Observer& observer, MissionTime now);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What UAVs told of the air that they wait for.
+// Reports of UAVs that wait for air, from the event log.
 #pragma once
 
 #include <set>
@@ -17,8 +17,8 @@ struct Air;
 
 namespace skein::laws {
 
-/// From then on a UAV waits until these others leave the air that it wants; none: it waits for
-/// nobody, as it has air, gave its motion up, or waits for answers.
+/// From `at` on [s], the UAV waits until `for_others` leave the air that it wants. Empty: it waits
+/// for nobody, since it has the air, gave its motion up, or waits for answers.
 struct AirWait {
   double at = 0;
   std::string uav;
@@ -29,7 +29,7 @@ struct AirWait {
 struct AirHistory {
   std::vector<AirWait> waits;
 
-  /// False: a line of its kind that cannot be read.
+  /// Takes a record, if it is of this kind. False: it is of this kind and cannot be read.
   bool see(const journal::Record& record);
   void hear(const journal::lines::Air& line, const journal::Written& when);
 };

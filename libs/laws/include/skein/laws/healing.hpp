@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws of links that are cut and come back, and of events past relays.
+// Laws on radio links that are cut and restored, and on events that pass relays.
 #pragma once
 
 #include <string>
@@ -12,21 +12,22 @@
 namespace skein::laws {
 
 struct HealingLimits {
-  /// After both directions are up again, until both nodes know it and have what was waiting.
+  /// Time after both directions are up again until both nodes know it and have received waiting
+  /// events.
   Duration healing = Duration::seconds(3);
-  /// Shorter cuts need not be noticed.
+  /// Cuts shorter than this need not be noticed.
   Duration noticed = Duration::seconds(5);
-  /// After the last change of any link, until ways past relays are as they will be and what was
-  /// waiting has come.
+  /// Time after the last change of any link until routes past relays are final and waiting events
+  /// have been received.
   Duration rerouting = Duration::seconds(20);
 };
 
-/// By its radio, in virtual time: three heartbeats, the latency both ways, and where heartbeats are
-/// lost by chance so many more that hardly ever all of them are.
+/// Limits for the scenario's radio, in virtual time: three heartbeats, the latency both ways, and,
+/// if heartbeats are lost at random, so many more that the loss of all is very unlikely.
 HealingLimits healing_limits(const scenario::Scenario& scenario);
 
-/// What holds of every link that was down in both directions or one, and of every event, whatever
-/// else happened; by the log alone, where `link` lines are the truth. Breaches with their instants:
+/// Breaches, with their instants, of the laws on links that were down in one or both directions,
+/// and on events; by the log alone, whose `link` lines are the truth:
 /// - healed: when both directions of a pair have come back and stay, then within `healing` both
 ///   nodes say that they reach the other, if they ever said that they do not;
 /// - caught up: an event sent before or during the cut was received, or told to be expired or lost,
@@ -35,7 +36,7 @@ HealingLimits healing_limits(const scenario::Scenario& scenario);
 ///   those between nodes of which one died or restarted, or whose link was down within `healing` of
 ///   the end; then past relays (nodes that `route` lines name, and that did not die) if there was a
 ///   way in both directions during the last `rerouting`.
-/// Nothing is said where the simulator died, who tells the truth.
+/// No breaches are reported if the simulator died, since it writes the `link` lines.
 std::vector<std::string> broken_healing(const std::vector<journal::Record>& records,
                                         const HealingLimits& limits = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What happened in a run, by UAV, as the event log tells it: truth of the simulator, what the
-// executives did, what became of goals, what was said.
+// The history of a run by UAV, from the event log: the simulator's truth, executions of tasks,
+// states of goals, and reports.
 #pragma once
 
 #include <limits>
@@ -24,7 +24,7 @@ namespace skein::laws {
 
 inline constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// A vehicle at an instant, in truth.
+/// True state of a vehicle at an instant.
 struct Sample {
   double at = 0;  ///< [s]
   world::Vector3 position = world::Vector3::Zero();
@@ -34,8 +34,8 @@ struct Sample {
   bool airborne = false;
 };
 
-/// A task that the vehicle really carried out, or refused (then `from` is `until`). One that a
-/// functional layer lost and began anew is two.
+/// A task that the vehicle truly carried out, or refused (then `from` equals `until`). A task that
+/// the functional layer lost and began anew gives two activities.
 struct Activity {
   std::int64_t task = 0;
   std::string type;
@@ -49,14 +49,14 @@ struct Activity {
   bool moves() const { return type == "takeoff" || type == "goto" || type == "land"; }
 };
 
-/// A task in an executive, whichever has it.
+/// The execution of a task by an executive, on board or at the ground.
 struct Execution {
   std::int64_t task = 0;
   std::string type;
   double started = kNever, over = kNever;
   std::string state, reason;
-  std::string node;       ///< whose executive had it last: the UAV's, or the ground's at degree 1
-  double taken = kNever;  ///< that one started it
+  std::string node;       ///< node of the last executive: the UAV's, or the ground's at degree 1
+  double taken = kNever;  ///< when that executive started it
 
   bool is_motion() const;
   bool under_way(double at) const { return started <= at && at < over; }
@@ -74,21 +74,21 @@ struct Goal {
 
   const std::string& state() const { return changes.back().state; }
   bool settled() const;
-  /// When it was last `state`; nothing if never.
+  /// When it last entered `state`; absent: never.
   std::optional<double> when(std::string_view state) const;
   double received() const { return changes.front().at; }
 };
 
-/// What became of a mission that was asked for, or only asked about (then with what it would take).
+/// The outcome of a mission that was requested, or only evaluated (then with its estimate).
 struct Answer {
   double at = 0;
   std::int64_t mission = 0;
   bool planned = false, evaluated = false;
-  double energy = 0;  ///< share of its capacity
+  double energy = 0;  ///< fraction of the full capacity
   double earliest_end = kNever, latest_end = kNever;
 };
 
-/// A volume of air and what one UAV knows of it.
+/// A closed volume of air, and when one UAV knows of it.
 struct Closing {
   world::Volume volume;
   double known = 0;  ///< from when on the UAV knows it [s]
@@ -108,23 +108,23 @@ struct SyncHeard {
   std::string from;
 };
 
-/// What a UAV says that it knows of who it is to meet.
+/// A UAV's report on what it knows of the partners of a meeting.
 struct Foretold {
   double at = 0;
   std::int64_t id = 0;
   bool known = false;
-  std::string last;  ///< who comes last; empty: it waits for nobody
+  std::string last;  ///< the partner that comes last; empty: it waits for nobody
   double soonest = kNever;
 };
 
-/// One tells another of its plan's network, or hears of the other's.
+/// A UAV sends `other` its plan's network, or receives that of `other`.
 struct PlanWord {
   double at = 0;
   std::string other;
   bool sent = false;
 };
 
-/// An object at an instant, in truth.
+/// True state of an object at an instant.
 struct ObjectState {
   double at = 0;
   std::string kind;
@@ -133,13 +133,13 @@ struct ObjectState {
   bool active = false;
   std::optional<world::FireFront> front = {};  ///< of a fire that spreads
 
-  /// How far a point is from what it covers [m].
+  /// Distance of a point from the area that the object covers [m].
   double distance_to(const world::Vector2& point) const;
 };
 
-/// Where the ground station says that an object was, and when.
+/// The ground station's report of an object's position.
 struct ObjectTold {
-  double told = 0, seen = 0;  ///< [s]
+  double told = 0, seen = 0;  ///< when reported, and when sighted [s]
   std::string name;
   world::Vector3 position = world::Vector3::Zero();
   double spread = 0;  ///< [m]
@@ -151,8 +151,8 @@ struct Uav {
   std::vector<Activity> activities;
   std::map<std::int64_t, Execution> executions;
   std::map<std::int64_t, Goal> goals;
-  std::map<std::int64_t, std::int64_t> goal_of;  ///< by task, as its plans name it
-  std::vector<std::pair<double, int>> degrees;   ///< from when on
+  std::map<std::int64_t, std::int64_t> goal_of;  ///< goal by task, from its plans
+  std::vector<std::pair<double, int>> degrees;   ///< (from when on, degree)
   std::vector<Closing> closings;
   std::vector<Word> words;
   std::vector<std::pair<double, std::string>> faults;
@@ -167,7 +167,7 @@ struct Uav {
   bool deliberates(double from, double until) const;
   /// Interpolated; nothing before the first and after the last sample.
   std::optional<Sample> at(double instant) const;
-  /// In the air, or on its way over the ground.
+  /// Whether the vehicle is in the air, or, for a ground vehicle, under way.
   bool is_out(const Sample& sample) const;
   /// 0 when no plan names the task.
   std::int64_t goal_of_task(std::int64_t task) const;
@@ -180,8 +180,9 @@ struct History {
   world::Terrain terrain;
   std::map<std::string, Uav> uavs;
   std::set<std::string> dead;     ///< nodes that died, at any time
-  std::set<std::string> resumed;  ///< of these, the ones that always came back with what they knew
-  /// "alarm:1": from when on it was said to be where. A ground station that forgot counts anew.
+  std::set<std::string> resumed;  ///< those of `dead` that always restarted with their memory
+  /// Reported positions of "alarm:1" etc. by instant. A ground station without its memory begins to
+  /// number alarms anew.
   std::map<std::string, std::map<double, world::Vector3>> alarms;
   std::map<std::string, std::vector<ObjectState>> objects;  ///< in truth, by name
   std::vector<ObjectTold> objects_told;
@@ -190,22 +191,22 @@ struct History {
   JointHistory joint = {};
   TeamHistory team = {};
   AirHistory air = {};
-  std::vector<Word> unread = {};  ///< lines of kinds that laws read, which lack what they must have
-  /// Of nodes that died: from when to when they were, kNever if they did not come back.
+  std::vector<Word> unread = {};  ///< malformed lines, of kinds that laws read
+  /// Down times of nodes that died, (from, until); until kNever: they did not restart.
   std::map<std::string, std::vector<std::pair<double, double>>> away = {};
 
-  /// A place of the scenario, an alarm's or a followed object's as it was known then, or the point
-  /// itself; nothing for what is none.
+  /// The position that an argument names: a place of the scenario, an alarm or a tracked object as
+  /// known at `at`, or the point itself; absent: the argument is no place.
   std::optional<world::Vector3> place(const mission::Argument& argument, double at = kNever) const;
-  /// Whether it is flown to (else it lies on the ground and is looked at).
+  /// Whether the place is in the air and flown to (else it is on the ground and looked at).
   bool in_the_air(const world::Vector3& place) const;
   const world::Zone* zone(const mission::Argument& argument) const;
-  /// And did not come back, or with nothing it knew: a node that remembers is excused nothing.
+  /// Whether the node died, and did not restart with its memory: laws excuse only such nodes.
   bool was_killed(const std::string& node) const;
   bool is_alarm(const mission::Argument& argument) const;
-  /// Its place is said by the ground station, again and again.
+  /// Whether the argument names an object whose position the ground station reports repeatedly.
   bool is_followed(const mission::Argument& argument) const;
-  /// At some time between the two.
+  /// Whether the node was down at some time in [from, until].
   bool was_away(const std::string& node, double from, double until) const;
 };
 

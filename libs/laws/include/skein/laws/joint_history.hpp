@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What UAVs told of their joint tasks.
+// Reports of UAVs on their joint tasks, from the event log.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct RoleTask;
 
 namespace skein::laws {
 
-/// What one UAV told of one joint task.
+/// The reports of one UAV on one joint task.
 struct JointTold {
   struct Phase {
     double at = 0;
@@ -38,7 +38,7 @@ struct JointTold {
     std::string role, componel, state;
   };
   std::string uav, joint;
-  std::int64_t task = 0;  ///< of its executive; the last
+  std::int64_t task = 0;  ///< last task id in its executive
   std::string variant;
   std::vector<Phase> phases;
   std::vector<Componel> componels;
@@ -50,7 +50,7 @@ struct RoleTaskTold {
   std::int64_t task = 0;
 };
 
-/// How a session came out at one UAV.
+/// The outcome of a negotiation session at one UAV.
 struct SessionTold {
   double at = 0;
   std::string uav, joint, opener, rows;
@@ -58,7 +58,7 @@ struct SessionTold {
   bool agreed = false;  ///< else failed
 };
 
-/// Where a UAV was sent by its role, under which constraints.
+/// A position that a UAV's role sent it to, and the constraints there.
 struct PlaceTold {
   double at = 0;
   std::string uav, joint, role;
@@ -66,14 +66,14 @@ struct PlaceTold {
   world::Vector3 position = world::Vector3::Zero();
 };
 
-/// A point that the ground told to be elsewhere.
+/// A point whose position the ground station changed.
 struct PointTold {
   double at = 0;
   std::string name;
   world::Vector3 position = world::Vector3::Zero();
 };
 
-/// What the radio does, by the simulator's truth.
+/// True state of a radio link.
 struct LinkTold {
   double at = 0;
   std::string from, to;
@@ -88,7 +88,7 @@ struct JointHistory {
   std::vector<PointTold> points;
   std::vector<LinkTold> links;
 
-  /// False: a line of a kind of theirs that cannot be read.
+  /// Takes a record, if it is of these kinds. False: it is of these kinds and cannot be read.
   bool see(const journal::Record& record);
   void hear(const journal::lines::Link& line, const journal::Written& when);
   void hear(const journal::lines::Joint& line, const journal::Written& when);
@@ -96,20 +96,20 @@ struct JointHistory {
   void hear(const journal::lines::RoleTask& line, const journal::Written& when);
   void hear(const journal::lines::Negotiation& line, const journal::Written& when);
   void hear(const journal::lines::Place& line, const journal::Written& when);
-  /// The radio was down between them, one way at least, for all of that time.
+  /// Whether the radio between a and b was down, in one direction at least, for all of that time.
   bool cut_off(const std::string& a, const std::string& b, double from, double until) const;
-  /// The last instant until `at` at which words went from the one to the other, over the link
-  /// itself or past relays; 0: never.
+  /// The last instant until `at` at which messages could pass from `from` to `to`, directly or past
+  /// relays; 0: never.
   double last_reached(const std::string& from, const std::string& to,
                       const std::set<std::string>& relays, double at) const;
-  /// It was up from the one to the other for all of it.
+  /// Whether the link from `from` to `to` was up for all of that time.
   bool up(const std::string& from, const std::string& to, double since, double until) const;
-  /// For how much of that time it was up from the one to the other [s].
+  /// For how much of that time the link from `from` to `to` was up [s].
   double up_for(const std::string& from, const std::string& to, double since, double until) const;
 
  private:
   JointTold* of(const std::string& uav, const std::string& joint);
-  /// As it was then and did not change since; nothing: it changed.
+  /// The state of the link during all of that time; absent: it changed.
   std::optional<bool> steady(const std::string& from, const std::string& to, double since,
                              double until) const;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws that every run keeps, judged by truth: the log and the scenario, never a plan.
+// Laws that every run must keep, judged by the log's truth and the scenario, never by a plan.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace skein::laws {
 
-/// A law: a name, one sentence, and what breaks it.
+/// A law: its name, its statement in one sentence, and a function that finds violations.
 struct Law {
   std::string name;
   std::string says;
@@ -25,8 +25,8 @@ std::vector<Violation> broken_laws(const scenario::Scenario& scenario,
                                    const std::vector<journal::Record>& records,
                                    const std::vector<std::string>& only = {});
 
-/// When UAVs in the air were nearer to each other than their models ask for, in the order of time,
-/// whether the scenario asks for it or not: what law `separation` says where it does.
+/// Instants at which UAVs in the air were nearer to each other than their models permit, in the
+/// order of time. Like law `separation`, but also for scenarios that do not ask for separation.
 std::vector<Violation> too_near(const scenario::Scenario& scenario,
                                 const std::vector<journal::Record>& records);
 

@@ -10,10 +10,10 @@
 
 namespace skein::laws {
 
-/// Looks at the log alone, so that it shares nothing with what it checks. A node's memory ends with
-/// a scripted kill of it. Gives each breach, with its instant; empty when all laws hold:
+/// Checks the log alone, so that it shares no code with the nodes. A node's memory ends with a
+/// scripted kill of it. Returns each breach, with its instant; empty when all laws hold:
 /// - tasks: only the transitions of spec 2.1, so at most one terminal state, and that the last;
-///   when a UAV's degree changes, who takes a task over goes on where the other was;
+///   when a UAV's degree changes, the executive that takes a task over continues from its state;
 /// - commands: issued once, then delivered at most once, then settled exactly once (acknowledged,
 ///   refused or expired), at the latest `command_limit` after their issue; what is acknowledged was
 ///   delivered before;

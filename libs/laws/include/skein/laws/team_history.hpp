@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was told of the tasks that a team shares out.
+// Reports on the tasks that a team auctions, from the event log.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct TeamTask;
 
 namespace skein::laws {
 
-/// A UAV at a task of its team, from when it told that it began.
+/// The work of a UAV on a task of its team, from its report that it began.
 struct TeamWork {
   std::string uav;
   std::int64_t sale = 0;
@@ -31,7 +31,7 @@ struct TeamWork {
   std::string why;
 };
 
-/// Where a task stood in the team's book, as the ground station had it.
+/// The standing of a task in the team's book, as the ground station knew it.
 struct TeamStanding {
   double at = 0;
   std::string stage;
@@ -47,10 +47,10 @@ struct TeamTask {
 
 struct TeamHistory {
   std::map<std::int64_t, TeamTask> tasks;
-  std::vector<double> given;  ///< when a global mission was taken [s]
-  std::vector<double> done;   ///< when all of one was done
+  std::vector<double> given;  ///< when global missions were given [s]
+  std::vector<double> done;   ///< when global missions were completed [s]
 
-  /// False: a line of a kind of theirs that cannot be read.
+  /// Takes a record, if it is of these kinds. False: it is of these kinds and cannot be read.
   bool see(const journal::Record& record);
   void hear(const journal::lines::TeamTask& line, const journal::Written& when);
   void hear(const journal::lines::Owner& line, const journal::Written& when);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How missions name an alarm of the ground station's.
+// Names of the ground station's alarms in missions.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace skein::mission {
 /// "alarm:1".
 std::string name_of_alarm(std::uint64_t id);
 
-/// Whether it is such a name, of an alarm that is known or not.
+/// Whether `name` has the form of such a name; the alarm need not exist.
 bool is_name_of_alarm(std::string_view name);
 
 }  // namespace skein::mission

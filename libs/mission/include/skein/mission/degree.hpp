@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who does what at each degree of decisional autonomy.
+// The degrees of decisional autonomy, and which node has which function at each.
 #pragma once
 
 namespace skein::mission {
 
-/// 1 to 5. Source: T II.2, spec 1.2.
+/// A degree of autonomy, 1 to 5. Source: T II.2, spec 1.2.
 using Degree = int;
 
 inline constexpr Degree kLeastDegree = 1;
@@ -23,7 +23,7 @@ constexpr bool synchronises_directly(Degree sender, Degree receiver) {
 /// True when missions are planned on board.
 constexpr bool deliberates(Degree degree) { return degree >= 4; }
 
-/// True when it takes part in its team's sales of tasks.
+/// True when the UAV takes part in its team's auctions of tasks.
 constexpr bool allocates(Degree degree) { return degree >= 5; }
 
 }  // namespace skein::mission

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Durations that may be shorter when time or energy is short.
+// Durations that the planner may shorten if time or energy is short.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,15 @@
 
 namespace skein::mission {
 
-/// "60..120": 120 s where there is room for them, 60 at least [s]. As an argument of a high-level
-/// task it stands in the place of a duration.
+/// "60..120": preferably 120 s, at least 60 s [s]. May be given as argument of a high-level task in
+/// place of a duration.
 struct DurationRange {
   double least = 0, most = 0;
   bool operator==(const DurationRange&) const = default;
 };
 
-/// Absent: it is not written so. The figures may be any from 0: least above most, too.
+/// Absent: the text is not of this form. The figures are >= 0 and not otherwise checked: `least`
+/// may exceed `most`.
 std::optional<DurationRange> duration_range_from(std::string_view text);
 std::optional<DurationRange> duration_range_of(const Argument& argument);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plan of elementary tasks, as deliberation makes it and as others are shown it.
+// A plan of elementary tasks, as deliberation makes it and as it is reported.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@
 
 namespace skein::mission {
 
-/// What a task waits for of another one.
+/// The state of another task that a task waits for.
 enum class DependenceKind : std::uint8_t {
-  kEnded,    ///< it has ended, and not been aborted
-  kRunning,  ///< it is running
-  kOver,     ///< it has ended or was aborted: for what takes the place of a withdrawn task
+  kEnded,    ///< the other task has ended, and was not aborted
+  kRunning,  ///< the other task is running
+  kOver,     ///< the other task has ended or was aborted: for successors of a withdrawn task
   kCount
 };
 /// "ended", "running", "over".
@@ -37,11 +37,11 @@ struct Interval {
   bool operator==(const Interval&) const = default;
 };
 
-/// Who begin a joint task together, the same at all of them.
+/// The UAVs that begin a joint task together; equal at all of them.
 struct Gathering {
-  std::uint64_t id = 0;              ///< follows from the task, what it is about and its members
-  std::vector<std::string> members;  ///< in order of their names
-  bool agreed = false;               ///< when it begins
+  std::uint64_t id = 0;              ///< derived from the task's type, arguments and members
+  std::vector<std::string> members;  ///< sorted by name
+  bool agreed = false;               ///< the members have agreed on the start
   bool operator==(const Gathering&) const = default;
 };
 
@@ -49,38 +49,38 @@ struct Gathering {
 /// Source: T def. IV.2, spec 3.4.
 struct ElementaryTask {
   executive::TaskId id;
-  /// As the registry of task types has it: takeoff, goto, perceive, joint:NAME, …
+  /// Name in the registry of task types: takeoff, goto, perceive, joint:NAME, …
   std::string type;
-  std::string name;                  ///< as the domain and the seeds have it: "task-gotoxyz"
-  executive::Parameters parameters;  ///< as the functional layer takes them
+  std::string name;                  ///< name in the planning domain: "task-gotoxyz"
+  executive::Parameters parameters;  ///< for the functional layer
   std::optional<executive::Synchronisation> synchronisation;
   std::optional<Gathering> gathering;  ///< of a joint task
   std::vector<Dependence> dependences;
-  /// Dependences of its stop-task: what ends it (stop-takeshot, stop-wait). Source: spec 2.7.
+  /// Dependences of its stop-task (stop-takeshot, stop-wait), which ends it. Source: spec 2.7.
   std::vector<Dependence> stop;
   Interval start;  ///< relative to the plan's origin
-  /// How long nature may take. [0, 0] with `stop`: as long as that says.
+  /// Least and greatest duration; contingent. [0, 0] with `stop`: determined by the stop.
   Interval duration;
-  bool open_ended = false;  ///< until orders come: without stop and without bound
+  bool open_ended = false;  ///< lasts until orders come: no stop, no greatest duration
   TimeConstraints time;
   GoalId origin;                     ///< the high-level task it comes from
-  std::vector<world::Vector3> way;   ///< where it flies [m] ENU; empty: it does not
+  std::vector<world::Vector3> way;   ///< way-points of its motion [m] ENU; empty: none
   std::vector<std::string> methods;  ///< labels, from the high-level task down to this one
-  double energy = 0;                 ///< expected, as a fraction of what is held when full
-  double cost = 0;                   ///< as the domain has it
+  double energy = 0;                 ///< expected, as a fraction of the full capacity
+  double cost = 0;                   ///< in the units of the domain
   bool operator==(const ElementaryTask&) const = default;
 };
 
-/// What the registry says of it.
+/// The registry's entry for the task's type.
 const functional::TaskType& type_of(const ElementaryTask& task);
-/// True for what moves the vehicle or needs it where it is.
+/// True for a task that moves the vehicle or needs it to stay.
 bool holds_vehicle(const ElementaryTask& task);
-/// The devices that are its own while it is active.
+/// The devices that the task occupies while it is active.
 std::vector<std::string> devices_of(const ElementaryTask& task);
 
 /// Individual and joint tasks of one UAV in the order of planning. Source: T def. IV.1.
 struct ElementaryPlan {
-  MissionTime origin;  ///< what the relative starts count from
+  MissionTime origin;  ///< reference of the tasks' relative starts
   std::vector<ElementaryTask> tasks;
   double cost = 0;
   double energy = 0;
@@ -98,14 +98,14 @@ struct ElementaryPlan {
 std::string to_taskreq(const ElementaryTask& task);
 std::string to_taskreq(const ElementaryPlan& plan);
 
-/// Between which dates a task is to start and end, as the network of the plan has it now.
+/// Earliest and latest start and end of a task by the present temporal network of the plan.
 struct TaskDates {
   MissionTime earliest_start, latest_start;  ///< latest may be MissionTime::max()
   MissionTime earliest_end, latest_end;
   bool operator==(const TaskDates&) const = default;
 };
 
-/// A task as others are shown it.
+/// A task in a PlanReport.
 struct PlannedTask {
   ElementaryTask task;
   TaskDates dates;
@@ -113,11 +113,11 @@ struct PlannedTask {
   bool operator==(const PlannedTask&) const = default;
 };
 
-/// The plan of a UAV at some moment. Revisions count from 1 in one life of the node.
+/// The plan of a UAV at some moment. Revisions count from 1 at the node's start.
 struct PlanReport {
   std::uint64_t revision = 0;
   MissionTime made;
-  std::vector<PlannedTask> tasks;  ///< those of goals that are not settled
+  std::vector<PlannedTask> tasks;  ///< tasks of unsettled goals
   std::vector<GoalStatus> goals;   ///< all, in the order of the high-level plan; settled ones first
   bool operator==(const PlanReport&) const = default;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an operator asks of a UAV at degree 4: high-level tasks, in unit missions.
+// High-level tasks and unit missions: an operator's requests to a UAV at degree 4.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@
 
 namespace skein::mission {
 
-/// A high-level task, unique within the UAV for the whole mission. Chosen by who asks.
+/// Identifies a high-level task; unique within the UAV for the whole mission, chosen by the asker.
 using GoalId = Id<struct GoalIdTag, std::uint64_t>;
-/// A unit mission, likewise.
+/// Identifies a unit mission, in the same way.
 using MissionId = Id<struct MissionIdTag, std::uint64_t>;
 
 /// Absolute bounds in mission time; absent: free. They hold for every elementary task that the
@@ -29,11 +29,12 @@ struct TimeConstraints {
 };
 
 /// A bound counted from another high-level task of the same UAV: every elementary task starts (or
-/// ends) between `least` and `most` after that one ends. Void when that one fails or is cancelled.
+/// ends) between `least` and `most` after the other one ends. Void if the other one fails or is
+/// cancelled.
 struct GoalBound {
-  GoalId goal;          ///< the other one
-  bool on_end = false;  ///< of ends; else of starts
-  Duration least;       ///< from 0
+  GoalId goal;          ///< the other high-level task
+  bool on_end = false;  ///< bounds the ends of the elementary tasks; else their starts
+  Duration least;       ///< >= 0
   Duration most = Duration::max();
   bool operator==(const GoalBound&) const = default;
 };
@@ -45,7 +46,7 @@ using Argument = std::variant<std::string, double, world::Vector3, std::vector<s
 /// (statement, parameters, absolute time constraints). Source: T def. IV.3.
 struct HighLevelTask {
   GoalId id;
-  std::string name;  ///< of a task of the planning domain: "perform-detection"
+  std::string name;  ///< of the task in the planning domain: "perform-detection"
   std::vector<Argument> arguments;
   TimeConstraints time;
   std::vector<GoalBound> after = {};
@@ -55,33 +56,33 @@ struct HighLevelTask {
 /// "perform-detection Z2 P2 300", with the time constraints, if any, in seconds: for people.
 std::string to_text(const HighLevelTask& task);
 
-/// How a new mission is put among the high-level tasks already planned. Source: spec 6.2 (1).
+/// How a new mission is inserted among the high-level tasks already planned. Source: spec 6.2 (1).
 enum class Placement : std::uint8_t {
-  kBest,    ///< the best feasible of the others, kFirst apart
-  kLast,    ///< (a) after all
-  kInTime,  ///< (b) where absolute constraints leave room, in its order
-  kTour,    ///< (c) by a tour over the places of all that is free to move
-  kFirst    ///< urgent: before all that is not committed yet
+  kBest,    ///< the best feasible one of kLast, kInTime and kTour
+  kLast,    ///< (a) after all planned tasks
+  kInTime,  ///< (b) where absolute constraints leave room, in the mission's order
+  kTour,    ///< (c) by a tour over the places of all tasks that may be reordered
+  kFirst    ///< urgent: before all tasks that are not committed yet
 };
 /// "best", "last", "in-time", "tour", "first".
 std::string_view to_text(Placement placement);
 std::optional<Placement> placement_from(std::string_view text);
 
-/// An ordered set of high-level tasks. The initial state is that of the UAV when it comes to them.
+/// An ordered set of high-level tasks. Its initial state is that of the UAV when it begins them.
 struct UnitMission {
   MissionId id;
   std::vector<HighLevelTask> tasks;  ///< in the order wanted
   Placement placement = Placement::kBest;
-  bool interrupt = false;  ///< with kFirst: what is under way is interrupted and taken up after it
-  /// What of it cannot be planned is left out, and the rest done; else it is all or nothing.
+  bool interrupt = false;  ///< with kFirst: tasks under way are interrupted and resumed after it
+  /// Tasks that cannot be planned are left out; else all tasks are planned, or none.
   bool any = false;
-  std::string asked_by;  ///< who asked, for people: "step detection", "operator end"
-  /// What it would cost is answered, and nothing else happens.
+  std::string asked_by;  ///< the asker, for people: "step detection", "operator end"
+  /// The mission is only evaluated: its cost is answered, and no plan is adopted.
   bool evaluate = false;
   bool operator==(const UnitMission&) const = default;
 };
 
-/// Where a high-level task stands.
+/// State of a high-level task.
 enum class GoalState : std::uint8_t {
   kReceived,    ///< no plan yet
   kPlanned,     ///< in the plan, not begun

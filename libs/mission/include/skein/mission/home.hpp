@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The place that each UAV has of its own.
+// The name of each UAV's own home place.
 #pragma once
 
 #include <string_view>
 
 namespace skein::mission {
 
-/// Whether a name of a place, in whatever case, means where the UAV that reads it took off and
-/// lands (`home`; `zero` in the seeds of the domain). No place of a scenario may have it: it would
-/// be the home of all.
+/// Whether a place name, regardless of case, means the home of the UAV that reads it, where it
+/// takes off and lands (`home`; `zero` in the seeds' domain). No place of a scenario may have such
+/// a name, which would mean the same place for all UAVs.
 bool means_home(std::string_view place);
 
 }  // namespace skein::mission

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What has been done of a high-level task that was interrupted, so that only the rest is planned.
+// Progress of an interrupted high-level task, so that only the rest is planned.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@
 
 namespace skein::mission {
 
-/// Belongs to the high-level task and outlives its plans: whatever plan it gets next begins with
-/// it. It says what was seen to be done, not what was planned. Source: T IV.4.2 (SCD-2, SCD-6).
+/// Belongs to the high-level task and outlives its plans: its next plan starts from this progress.
+/// States what was observed, not what was planned. Source: T IV.4.2 (SCD-2, SCD-6).
 struct Progress {
-  /// A device perceived from somewhere for a time, while the motion that it belongs to went on.
+  /// A device perceived from a place for a time, while its companion motion ran.
   struct Look {
     std::string device;
-    world::Vector3 at = world::Vector3::Zero();  ///< [m] ENU, where the vehicle was sent for it
+    world::Vector3 at = world::Vector3::Zero();  ///< [m] ENU, place that the vehicle was sent to
     Duration lasted;
     bool operator==(const Look&) const = default;
   };
-  /// What is left of a way along which a device perceived: from the last way-point reached.
+  /// The rest of a way along which a device perceived, from the last way-point reached.
   struct Rest {
     std::string device;
     std::vector<world::Vector3> way;  ///< [m] ENU; empty: all of it was flown
@@ -34,7 +34,7 @@ struct Progress {
   std::vector<Look> looks;               ///< in order
   Duration waited;                       ///< in place, with or without a device
   std::set<std::uint64_t> synchronised;  ///< ids of synchronisations that are done
-  std::optional<Rest> rest;              ///< of the last such way
+  std::optional<Rest> rest;              ///< of the last way with a perception along it
   bool operator==(const Progress&) const = default;
 
   bool none() const { return *this == Progress{}; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may be asked of a UAV.
+// Requests to a UAV.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace skein::mission {
 
-/// Of its executive (T III.2.1, spec 2.3), wherever that runs, or of its decision node (spec 1.2,
-/// 6.2).
+/// A request to a UAV's executive (T III.2.1, spec 2.3), on board or at the ground, or to its
+/// decision node (spec 1.2, 6.2).
 using Request = std::variant<executive::Start, executive::Abort, executive::ProcessMessage,
                              executive::UpdateConditions, executive::Suppress, UnitMission,
                              CancelGoals, ChangeDegree, ChangeWorld>;
@@ -35,7 +35,7 @@ inline RequestKind kind_of(const Request& request) {
   return static_cast<RequestKind>(request.index());
 }
 
-/// Of the task or the unit mission that it is about; 0 when it is about neither, or about several.
+/// Id of the task or the unit mission that the request refers to; 0: none, or several.
 std::uint64_t id_of(const Request& request);
 
 }  // namespace skein::mission

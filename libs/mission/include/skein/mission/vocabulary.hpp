@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may be asked of a UAV: the high-level tasks of a planning domain, their parameters and what
-// they need; and the check of a mission against it.
+// The high-level tasks of a planning domain, with their parameters and the devices that they need;
+// and the check of missions against these.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace skein::mission {
 
-/// What an argument must be.
+/// Kind of an argument.
 enum class ParameterKind : std::uint8_t {
   kPlace,     ///< a named place, or a location
   kZone,      ///< a named zone
@@ -22,7 +22,7 @@ enum class ParameterKind : std::uint8_t {
   kDuration,  ///< seconds, > 0
   kNumber,    ///< any finite number
   kUavs,      ///< a list of names of UAVs of the team
-  kUav,       ///< one of them
+  kUav,       ///< the name of a UAV of the team
   kDevice,    ///< a device of the vehicle's
   kSyncId,    ///< a whole number > 0, common to the UAVs that synchronise
   kWord,      ///< any name
@@ -47,14 +47,13 @@ struct Vocabulary {
   std::multimap<std::string, std::string, std::less<>> serves;  ///< device name → use
 };
 
-/// What is known of the UAV and of its surroundings by name. `vehicle` may be null: devices are not
-/// checked.
+/// Names that a mission may refer to. `vehicle` may be null: devices are not checked then.
 struct Surroundings {
   std::vector<std::string> places, zones, uavs;
   const world::VehicleModel* vehicle = nullptr;
 };
 
-/// Every reason why the mission makes no sense, in sentences; empty when it is fine: unknown tasks
+/// Every reason why the mission is invalid, in sentences; empty when it is fine: unknown tasks
 /// (with the nearest name), wrong number and kind of arguments, unknown places, zones, UAVs and
 /// devices (with the nearest name; upper and lower case differ), goals given twice, goals and
 /// missions numbered 0, no tasks, no device that serves a use, time constraints that contradict

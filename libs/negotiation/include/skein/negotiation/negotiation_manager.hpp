@@ -108,9 +108,8 @@ using NegotiationEffects = std::vector<NegotiationEffect>;
 ///   - no member ends failed, or later learns "failed", if another one is agreed;
 ///   - each negotiation begun ends once, by the deadline of its session, which is at most twice
 ///     `within` after BeginNegotiation, whatever messages arrive;
-///   - a member does not end undecided if, between the decision and the deadline (at least half of
-///   the
-///     session), it hears, directly or through others, from a member that knows the decision.
+///   - a member does not end undecided if it hears, directly or through others, from a member that
+///     knows the decision, before the deadline (at least half of the session is left for that).
 /// Why not more: docs/decisions/0011-negotiation.md. Cost of a message: O(members × rows).
 /// A value type: copies are independent. Thread rule: one thread at a time. Source: T V.3, spec
 /// 7.4.
