@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One automaton as boxes within boxes.
+// Draws one automaton as nested boxes.
 #pragma once
 
 #include <map>

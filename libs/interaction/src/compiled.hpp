@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an automaton is to its engine: who looks at what.
+// The static indices of an automaton for its engine: which formulas depend on what.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace skein::interaction {
 /// Which of the two formulas of a block.
 enum class Side : std::uint8_t { kPrecondition, kExit };
 
-/// A formula that has to be looked at again when something changes.
+/// A formula of a block, to be evaluated again when one of its inputs changes.
 struct Watch {
   ComponelIndex block = 0;
   Side side = Side::kPrecondition;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engine in three layers: what is the case (states, messages, instants), who has to be looked
-// at, and what is done then.
+// The engine in three layers: facts (states, messages, instants), formulas to evaluate again, and
+// transitions.
 #pragma once
 
 #include <array>
@@ -28,25 +28,25 @@ class Engine::Core {
   const Automaton& automaton() const { return *automaton_; }
 
  private:
-  /// Where a block is; other componels are always out.
+  /// The set that a block is in (Engine: BI, BA or out); other componels are always out.
   enum class Place : std::uint8_t { kOut, kInactive, kActive };
-  /// What a block becomes when all its content is over.
+  /// What a leaving block does when all its content is over.
   enum class Leaving : std::uint8_t { kNot, kToAborted, kToEnded, kToRestart };
 
   struct Entry {
     ComponelState state = ComponelState::kNone;
     Place place = Place::kOut;
     Leaving leaving = Leaving::kNot;
-    bool stopping = false;          ///< its content is being told to stop, one after the other
+    bool stopping = false;          ///< its content is being interrupted, one after the other
     std::size_t open = 0;           ///< how many of its content are not over
     std::uint64_t entered = 0;      ///< the step in which it became inactive
     std::set<std::string> pending;  ///< messages
     MissionTime restarted;          ///< when it last began anew
-    int restarts = 0;               ///< how often at that instant
+    int restarts = 0;               ///< how often it began anew at that instant
     /// When it came to each AskedState, in this activation of its parent.
     std::array<std::optional<MissionTime>, 6> since;
   };
-  /// Blocks to look at, in document order.
+  /// Blocks whose formulas must be evaluated again, in document order.
   using Ripe = std::set<ComponelIndex>;
 
   const Block& block(ComponelIndex index) const { return *(*automaton_)[index].block(); }
@@ -54,7 +54,7 @@ class Engine::Core {
   bool listens(Watch watch) const;
   void emit(Effect::What what) { effects_.push_back({now_, std::move(what)}); }
 
-  // What is the case (engine_facts.cpp).
+  // Facts (engine_facts.cpp).
   std::optional<std::string> refusal(const Input& input, MissionTime now) const;
   std::optional<MissionTime> instant(const TimeIs& is) const;
   Truth truth(const Literal& literal, const Entry& block) const;
@@ -71,7 +71,7 @@ class Engine::Core {
   void hear(const std::string& message);
   void read(Watch watch);
 
-  // What is done (engine_core.cpp).
+  // Transitions (engine_core.cpp).
   void apply(const Input& input);
   void run_cycles();
   template <class Visit>
@@ -97,8 +97,8 @@ class Engine::Core {
   Compiled compiled_;
   std::vector<Entry> entries_;
   Ripe inactive_exits_, active_exits_, preconditions_;
-  std::set<std::pair<MissionTime, std::size_t>> agenda_;  ///< instants to come, with their timers
-  std::vector<std::optional<MissionTime>> armed_;         ///< of each timer, its place there
+  std::set<std::pair<MissionTime, std::size_t>> agenda_;  ///< future instants, with their timers
+  std::vector<std::optional<MissionTime>> armed_;         ///< by timer: its instant in `agenda_`
   std::optional<MissionTime> started_;
   MissionTime now_ = MissionTime::nanoseconds(std::numeric_limits<std::int64_t>::min());
   std::uint64_t step_ = 1;

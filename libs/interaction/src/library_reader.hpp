@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pieces of a library, each read by a function of its own. What cannot be read is reported and
-// left out or given a harmless value.
+// Readers of the parts of a library. Unreadable parts are reported, and left out or given a
+// harmless value.
 #pragma once
 
 #include <map>
@@ -21,12 +21,12 @@ Parameters read_parameters(const config::Reader& reader, bool optional = false);
 std::optional<Relation> relation_of(const std::string& text);
 /// `{takes: [Point, Point], gives: Point}`
 Function read_function(const config::Reader& reader);
-/// Its automaton is checked by itself, and its calls, tasks and actions against `library`.
-/// `problems` are those of the reader.
+/// Reads a role and checks its automaton, and its calls, tasks and actions against `library`.
+/// `problems`: the diagnostics of `reader`.
 Role read_role(const std::string& name, const config::Reader& reader, const Library& library,
                Diagnostics& problems);
 Scm read_scm(const std::string& name, const config::Reader& reader);
-/// Against the roles and SCMs of `library`.
+/// Reads a variant and checks it against the roles and SCMs of `library`.
 Variant read_variant(const std::string& name, const config::Reader& reader, const Library& library);
 
 /// Names in a map, for "did you mean".

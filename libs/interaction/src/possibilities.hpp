@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which states the componels of an automaton can come to at all.
+// Reachability of the states of an automaton's componels.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 
 namespace skein::interaction {
 
-/// Over-approximates: what is impossible here is impossible.
+/// An over-approximation: states that are unreachable here are truly unreachable.
 class Possibilities {
  public:
-  /// With `staying`, a block: before it, or one around it, is left.
+  /// With `staying`, a block: only states before that block, or one around it, is left.
   explicit Possibilities(const Automaton& automaton,
                          std::optional<ComponelIndex> staying = std::nullopt);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Three values, and how literals make a formula of them. Source: T III.1.3, spec 2.2, 7.8.
+// Three-valued truth of literals, clauses and formulas. Source: T III.1.3, spec 2.2, 7.8.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@ enum class Truth : std::uint8_t {
   kImpossible,  ///< false, and nothing can make it true any more
 };
 
-/// A literal from what is the case: whether its condition holds, and whether that is so for ever.
+/// The truth of a literal whose condition `holds`, or not, at present; `for_ever`: that is final.
 constexpr Truth truth_of(const Literal& literal, bool holds, bool for_ever) {
   if (holds != literal.negated) return Truth::kTrue;
   if (!for_ever) return Truth::kFalse;
   return literal.modality == Modality::kOptional ? Truth::kTrue : Truth::kImpossible;
 }
 
-/// `value` gives the truth of a literal.
+/// The truth of a clause, or of a formula; `value` gives the truth of a literal.
 template <class Value>
 Truth truth_of(const Clause& clause, const Value& value) {
   Truth all = Truth::kImpossible;

@@ -10,16 +10,17 @@
 
 namespace skein::laws {
 
-/// Those of the scenario's script; whether the UAV took them or not.
+/// Ids of the tasks that the scenario's script gives to the UAV, whether the UAV accepted them or
+/// not.
 std::set<std::int64_t> given_by_hand(const History& history, const Uav& uav);
 
-/// What the vehicle did of them, but for takeshots, which ride along with something else. A plan
-/// waits behind it.
+/// The vehicle's activities of such tasks, except takeshots, which run along with other tasks. A
+/// plan waits until they are over.
 std::vector<const Activity*> carried_out_by_hand(const History& history, const Uav& uav);
 
-/// The vehicle does one of these at that instant [s].
+/// Whether the vehicle carries out such a task at that instant [s].
 bool does_by_hand(const History& history, const Uav& uav, double at);
-/// It was an operator who last moved it before that instant [s].
+/// Whether the vehicle's last motion before that instant [s] was such a task.
 bool was_left_by_hand(const History& history, const Uav& uav, double at);
 
 }  // namespace skein::laws

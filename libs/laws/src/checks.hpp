@@ -18,17 +18,17 @@ std::vector<Violation> places_not_reached(const History& history);
 std::vector<Violation> waits_not_done(const History& history);
 std::vector<Violation> done_twice(const History& history);
 // coverage.cpp
-/// In which the device met the zone; nothing of what is no detection.
+/// Time during which the device had the zone in view [s]; absent: the goal is no detection.
 std::optional<double> seconds_detected(const History& history, const Uav& uav, const Goal& goal);
 std::vector<Violation> detections_not_done(const History& history);
 std::vector<Violation> mappings_not_done(const History& history);
-inline constexpr double kMapPart = 0.99;  ///< of a zone that is mapped
-/// A UAV with a device on.
+inline constexpr double kMapPart = 0.99;  ///< part of a zone that a mapping must cover
+/// An activity of a UAV with a device.
 struct Look {
   const Uav* uav = nullptr;
   const Activity* look = nullptr;
 };
-/// The part of a zone that was in view of one of them at some time, [0, 1].
+/// The part of a zone that was in view during one of `looks` at some time, [0, 1].
 double part_in_view(const History& history, const std::vector<Look>& looks,
                     const world::Polygon& zone);
 // synchronisation.cpp
@@ -36,7 +36,7 @@ std::vector<Violation> synchronisations_apart(const History& history);
 std::vector<Violation> partners_too_near(const History& history);
 std::vector<Violation> come_before_foretold(const History& history);
 std::vector<Violation> waits_in_circles(const History& history);
-/// The links between all UAVs are up, from the one instant to the other.
+/// Whether the links between all UAVs are up during [from, until].
 bool all_hear_each_other(const History& history, double from, double until);
 std::vector<Violation> plan_words_unheard(const History& history);
 /// A partner does not come to the meeting of a goal: its own goal for it failed, or it has none, or
@@ -68,10 +68,11 @@ std::vector<Violation> idle_without_word(const History& history);
 // reasons.cpp
 std::vector<Violation> untrue_reasons(const History& history);
 std::vector<Violation> feasible_but_failed(const History& history);
-/// Nothing goes wrong in it by itself, and nobody takes anything back.
+/// Whether the scenario has no faults, no cut links, no closed air, only UAVs at degree 4 or 5 with
+/// full energy, and no requests that revoke others.
 bool is_clean(const scenario::Scenario& scenario);
 // requests.cpp
-/// The decision by which a plan was made anew.
+/// Whether the word is a decision to plan anew.
 bool is_repair(const Word& word);
 std::vector<Violation> asked_again_and_again(const History& history);
 // estimates.cpp
@@ -81,13 +82,13 @@ std::vector<Violation> winds_off(const History& history);
 std::vector<Violation> objects_elsewhere(const History& history);
 std::vector<Violation> fires_that_shrink(const History& history);
 // safety.cpp
-/// It comes down by itself, or did.
+/// Whether the UAV has lost control by then: engine failure, energy used up, or ground contact.
 bool out_of_control(const Uav& uav, double at);
 std::vector<Violation> in_closed_air(const History& history);
 std::vector<Violation> energy_short(const History& history);
 // on_the_ground.cpp
 std::vector<Violation> off_its_ground(const History& history);
-/// Whether no ground of the world is too steep for it; true of what flies.
+/// Whether no ground of the world is too steep for the vehicle; always true if it flies.
 bool climbs_everything(const History& history, const world::VehicleModel& vehicle);
 // air.cpp
 std::vector<Violation> waits_for_each_other(const History& history);
@@ -102,8 +103,8 @@ void for_achieved(const History& history,
 /// "12.5".
 std::string figure(double number);
 
-/// How far from where it means to be a vehicle may be found [m]: its tracking and what the wind
-/// does to it, both doubled; for one that cannot hover, with its waiting circle.
+/// Bound on a vehicle's distance from its intended position [m]: its tracking error and the wind's
+/// displacement, both doubled; plus the waiting circle if it cannot hover.
 double wander(const History& history, const Uav& uav);
 
 }  // namespace skein::laws

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the constraints of a joint task allow a UAV to be, by truth.
+// Whether positions of UAVs satisfy the spatial constraints of their joint tasks, by truth.
 #pragma once
 
 #include <map>
@@ -11,21 +11,21 @@
 
 namespace skein::laws {
 
-/// From when to when a UAV ran a joint task in one role.
+/// The time during which a UAV ran a joint task in one role [s].
 struct Held {
   std::string uav, joint, role;
   double from = 0, until = kNever;
 };
 std::vector<Held> roles_held(const JointHistory& history);
 
-/// The model of "model(a b c) of x, y" in the scenario's library; null: there is none.
+/// The model named by "model(a b c) of x, y" in the scenario's library; null: there is none.
 const interaction::Model* model_of(const History& history, const std::string& joint);
 /// Parameters of the variant by name: words of "model(a b c) of x, y", lists of UAVs left out.
 std::map<std::string, std::string> arguments_of(const std::string& joint,
                                                 const interaction::Variant& variant);
 
-/// Constraints on a distance against a figure that the place does not keep, of those that it names;
-/// what is known of partners is a little old. `slack` [m].
+/// Violations of constraints between a distance and a number, among those that `told` names, at its
+/// position. `slack`: tolerance, since known positions of partners are a little old [m].
 std::vector<Violation> distances_broken(const History& history, const PlaceTold& told,
                                         const interaction::Variant& variant, double slack);
 

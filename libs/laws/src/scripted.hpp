@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the ground's script does, and its operators.
+// Iteration over the actions of the ground's script and of its operators.
 #pragma once
 
 #include <variant>
@@ -8,7 +8,7 @@
 
 namespace skein::laws {
 
-/// Each action, in the order of the file.
+/// Calls `see` with each action: steps, then operators, in the order of the file.
 template <class See>
 void for_actions(const scenario::Scenario& scenario, const See& see) {
   const auto look = [&](const auto& steps) {
@@ -19,7 +19,7 @@ void for_actions(const scenario::Scenario& scenario, const See& see) {
   look(scenario.ground.script.operators);
 }
 
-/// Each of that type.
+/// Calls `see` with each action of type `Wanted`.
 template <class Wanted, class See>
 void for_scripted(const scenario::Scenario& scenario, const See& see) {
   for_actions(scenario, [&](const ground_station::Action& action) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// High-level tasks as the log states them, read back.
+// Reads high-level tasks back from the log's statements.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace skein::laws {
 
-/// "perceive P1 120 [end-before 300]": the inverse of mission::to_text. What it cannot read it
-/// leaves out: laws then have nothing to say of it.
+/// "perceive P1 120 [end-before 300]": the inverse of mission::to_text. Unreadable parts are left
+/// out, and not checked by laws.
 mission::HighLevelTask task_from(std::string_view statement);
 
 std::optional<double> number_of(const mission::Argument& argument);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways of samples: over one link, or past relays.
+// Routes of samples: over one link, or past relays.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace skein::laws {
 
-/// Whether a link carries, from one node to another.
+/// Whether the link from one node to another carries samples.
 using Carries = std::function<bool(const std::string& from, const std::string& to)>;
 
-/// Whether there is a way of at most so many links that carry, past relays alone.
+/// Whether there is a route of at most `links` links that carry, with only relays between the ends.
 inline bool has_way(const std::string& from, const std::string& to,
                     const std::set<std::string>& relays, std::size_t links,
                     const Carries& carries) {
