@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The degree of autonomy and what is handed over when it changes. Source: spec 1.2.
+// The degree of autonomy, and the hand-over of tasks when it changes. Source: spec 1.2.
 #pragma once
 
 #include <string>
@@ -13,13 +13,13 @@ class Core;
 
 class Autonomy final : public Component {
  public:
-  /// Precondition: a degree that is built, and that the configuration allows.
+  /// Precondition: the configuration allows its initial degree.
   explicit Autonomy(Core& core);
 
   int degree() const { return degree_; }
   void start();
   void take(const Command& command) override;
-  /// Tells the plan that is in hand: these tasks and what the supervisor handed over.
+  /// Emits the plan in hand: these tasks and those that the supervisor handed over.
   void hand_over(std::vector<mission::HeldTask> tasks);
 
  private:

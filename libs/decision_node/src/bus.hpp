@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ways between the components of a decision node, and out of it.
+// Calls between the components of a decision node, and its effects.
 #pragma once
 
 #include <deque>
@@ -10,8 +10,8 @@
 
 namespace skein::decision_node {
 
-/// What one component asks of another comes after all that was asked before: an interruption never
-/// overtakes the dispatch of its task.
+/// Calls between components are carried out in the order in which they were made: an interruption
+/// never overtakes the dispatch of its task.
 class Bus {
  public:
   void begin(MissionTime now) {
@@ -19,11 +19,11 @@ class Bus {
     effects_.clear();
   }
   Effects end() { return std::move(effects_); }
-  /// Of the call that is running.
+  /// The time of the input being handled.
   MissionTime now() const { return now_; }
 
   void emit(Effect effect) { effects_.push_back(std::move(effect)); }
-  /// Done at once, or after the errands that wait already.
+  /// Runs the errand at once, or after those that wait already.
   void post(std::function<void()> errand) {
     errands_.push_back(std::move(errand));
     if (busy_) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commands are executed once.
+// Idempotence of commands: each is executed once.
 #pragma once
 
 #include <map>
@@ -10,16 +10,17 @@
 
 namespace skein::decision_node {
 
-/// The last answers are kept. Commands come in the order of their numbers and in that of the ground
-/// station's lives, so one that is older than all of these was answered long ago, and its answer
-/// has come: it is passed over.
+/// Keeps the last answers. Commands arrive in the order of the ground station's lives and of their
+/// numbers, so a command older than every kept answer was answered long ago, and the answer was
+/// received: it is ignored.
 class Commands {
  public:
   static constexpr std::size_t kKept = 256;
 
   explicit Commands(Bus& bus) : bus_(bus) {}
 
-  /// False: it has been answered, and the answer, if it is kept, goes out again.
+  /// Whether the command is to be executed. A command that was answered before is not; its answer
+  /// is sent again if it is still kept.
   bool is_new(const CommandKey& key) {
     const auto known = answered_.find(key);
     if (known != answered_.end()) bus_.emit(known->second);
@@ -42,7 +43,7 @@ class Commands {
 
   Bus& bus_;
   std::map<CommandKey, Answer> answered_;
-  std::optional<CommandKey> dropped_;  ///< the latest answer that is kept no more
+  std::optional<CommandKey> dropped_;  ///< the newest command whose answer is no longer kept
 };
 
 }  // namespace skein::decision_node

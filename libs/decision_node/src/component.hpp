@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every component of a decision node can be asked and told.
+// The interface of the components of a decision node.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,8 @@
 
 namespace skein::decision_node {
 
-/// A component that decides: executive, supervisor, and further ones beside them (interaction,
-/// auction, temporal agent), each listed once in Core::components(). What it does not care for it
-/// does not override.
+/// A deciding component: executive, supervisor, interaction manager, auction, temporal agent. Each
+/// is listed once in Core::components(), and overrides the functions that concern it.
 class Component {
  public:
   Component() = default;
@@ -19,9 +18,9 @@ class Component {
   Component& operator=(const Component&) = delete;
   virtual ~Component() = default;
 
-  /// A request that the table of routes gives to it; it answers by Commands.
+  /// A request that the table of routes assigns to this component; to be answered by Commands.
   virtual void take(const Command&) {}
-  /// A task of whatever executive, or of none, entered a state.
+  /// A task entered a state, whichever executive has it, if any.
   virtual void task_changed(const executive::TaskEvent&) {}
   virtual void vehicle_told(const world::Telemetry&) {}
   virtual void peer_in_reach(const std::string&) {}

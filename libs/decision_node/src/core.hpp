@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The components of a decision node, and who gets what.
+// The components of a decision node, and the distribution of inputs to them.
 #pragma once
 
 #include <array>
@@ -46,11 +46,11 @@ class Core {
   Autonomy& autonomy() { return autonomy_; }
   Safekeeping& safekeeping() { return safekeeping_; }
 
-  /// A task of whatever executive, or of none, entered a state: every component hears of it.
+  /// Tells every component that a task entered a state, whichever executive has it, if any.
   void tell_task(const executive::TaskEvent& event);
-  /// Of what the functional layer was given.
+  /// Interrupts a task that the functional layer was given.
   void interrupt(functional::TaskId task);
-  /// Said in the functional layer's place, after all that was asked before.
+  /// Queues a status on behalf of the functional layer, behind the inputs already queued.
   void post_status(functional::Status status);
 
  private:
@@ -68,7 +68,7 @@ class Core {
   void on(const LayerForgot& forgot);
   void on(const Contact& contact);
   void on(const supervisor::JobFinished& done) { deliberation_.job_finished(done); }
-  /// What another says about a joint task: to the ground, if that plays it.
+  /// A message about a joint task: passed on to the ground if the ground plays the role.
   template <class Heard>
   void on_joint(const Heard& heard) {
     if (!voice_.passes_on(heard)) interaction_.hear(heard);
@@ -85,7 +85,7 @@ class Core {
   void on(const Tick&);
   void pass_on(const functional::Status& status);
   void tell_board_if_changed();
-  /// Every one hears what happens, in this order.
+  /// All components, in the order in which they are told of events.
   std::array<Component*, 7> components() {
     return {&merging_, &execution_, &deliberation_, &interaction_, &voice_, &team_, &meetings_};
   }
@@ -108,14 +108,14 @@ class Core {
   Meetings meetings_;
   Autonomy autonomy_;
   Safekeeping safekeeping_;
-  /// What a board is made of.
+  /// Changes whenever a board made now would differ.
   struct BoardMark {
     int degree = 0;
     bool airborne = false;
     std::uint64_t changes = 0;  ///< Executive::changes()
     bool operator==(const BoardMark&) const = default;
   };
-  std::optional<BoardMark> board_mark_;  ///< of the last one that was made
+  std::optional<BoardMark> board_mark_;  ///< at the last board sent
   std::optional<BoardChanged> last_board_;
 };
 

@@ -13,7 +13,8 @@ namespace skein::decision_node {
 
 class Core;
 
-/// Without a planning domain there is none: nothing is told to it, and what needs it is refused.
+/// Without a planning domain there is no supervisor: events are not passed on, and requests that
+/// need one are refused.
 class Deliberation final : public Component {
  public:
   explicit Deliberation(Core& core);
@@ -25,38 +26,38 @@ class Deliberation final : public Component {
   void time_passes() override;
   std::optional<MissionTime> next_wakeup() const override;
 
-  /// There is a supervisor.
+  /// Whether there is a supervisor.
   bool possible() const { return supervisor_.has_value(); }
   bool engaged() const { return supervisor_ && supervisor_->engaged(); }
   void engage(const supervisor::Engage& engage) { tell(engage); }
   void disengage(const std::string& cause);
   void job_finished(const supervisor::JobFinished& done) { tell(done); }
   void request_answered(const executive::Reply& reply);
-  /// A task of the team's, as if asked by a user; team().mission_answered() hears the answer.
+  /// Plans a task of the team like a user's mission; the answer goes to team().mission_answered().
   void take_for_team(const mission::UnitMission& mission);
   void cancel_for_team(mission::GoalId goal, const std::string& why);
   void partners_seen(const supervisor::PartnersSeen& seen) { tell(seen); }
   void orders_seen(const supervisor::OrdersSeen& seen) { tell(seen); }
   void joint_task_answered(const supervisor::JointTaskAnswered& answer) { tell(answer); }
-  /// The executive wants a joint task carried out, or interrupted.
+  /// The executive starts a joint task, or interrupts it.
   void joint_task_due(executive::TaskId task, bool interrupt);
 
   std::vector<mission::GoalStatus> goals() const;
   /// Precondition: possible().
   const mission::PlanReport& report() const { return supervisor_->report(); }
-  /// As believed. Precondition: possible().
+  /// The world as the supervisor believes it. Precondition: possible().
   std::shared_ptr<const world::World> world() const { return supervisor_->world(); }
-  /// The goal that a task of the executive's serves; 0: none.
+  /// The goal that an executive's task serves; 0: none.
   mission::GoalId origin_of(executive::TaskId task) const;
-  /// A task of a role serves the goal of its joint task.
+  /// Records that a task of a role serves the goal of its joint task.
   void serves(executive::TaskId role_task, executive::TaskId joint) {
     origins_[role_task] = origin_of(joint);
   }
-  /// What was handed over when it was disengaged; not again.
+  /// The tasks handed over at the last disengagement; returned once.
   std::vector<mission::HeldTask> take_handed_over();
 
  private:
-  /// Who is told the answer.
+  /// Who gets the supervisor's answer.
   struct Asker {
     std::optional<Command> command;
     std::optional<mission::MissionId> team;  ///< a mission of the team's
@@ -72,7 +73,7 @@ class Deliberation final : public Component {
   void carry_out(const supervisor::LoadJointTask& effect, const Asker&);
   void carry_out(const supervisor::FrontierChanged& effect, const Asker&);
   void carry_out(const supervisor::Notice& effect, const Asker&);
-  /// What is for the outside as it is.
+  /// Every other effect leaves the node unchanged.
   template <class Other>
   void carry_out(const Other& effect, const Asker&);
 
@@ -80,7 +81,8 @@ class Deliberation final : public Component {
   std::optional<supervisor::Supervisor> supervisor_;
   std::map<executive::TaskId, mission::GoalId> origins_;
   std::vector<mission::HeldTask> handed_over_;
-  std::map<std::string, world::Vector3> planned_with_;  ///< of objects that move
+  std::map<std::string, world::Vector3>
+      planned_with_;  ///< last planned positions of moving objects
 };
 
 }  // namespace skein::decision_node

@@ -24,24 +24,23 @@ class Execution final : public Component {
   void time_passes() override;
   std::optional<MissionTime> next_wakeup() const override { return executive_.next_wakeup(); }
 
-  /// What is asked of the executive, and by whom (nobody: whose answer nobody is told); done after
-  /// all that was asked before.
+  /// Queues an input for the executive, behind those already queued. `by`: who gets the answer.
   enum class By { kNode, kSupervisor, kNobody };
   void run(executive::Input input, By by = By::kNode);
   void take(const SyncMessage& message);
   void take(const DegreeTold& told) { degrees_[told.from] = told.degree; }
 
-  /// A task that is not over.
+  /// Whether the executive has this task, unfinished.
   bool holds(functional::TaskId id) const;
-  /// One that is being aborted.
+  /// Whether this task is being aborted.
   bool stops(functional::TaskId id) const;
   std::vector<executive::TaskStatus> tasks() const { return executive_.tasks(); }
   std::uint64_t changes() const { return executive_.changes(); }
-  /// Tasks that are not over, without the background routine, with the goals they serve.
+  /// Unfinished tasks except the background routine, with the goals they serve.
   std::vector<mission::HeldTask> held() const;
   bool airborne() const { return airborne_; }
-  /// The ground's executive has the tasks below an id from now on, with the synchronisation
-  /// messages that came here.
+  /// Hands the tasks with ids below `below` over to the ground's executive, with the
+  /// synchronisation messages received for them.
   void let_go(executive::TaskId below, const std::vector<mission::HeldTask>& tasks);
 
  private:
@@ -51,7 +50,7 @@ class Execution final : public Component {
     std::optional<Command> command = {};
   };
   void post(Asked asked);
-  /// Its synchronisation messages go from here to the UAV, not past the ground station.
+  /// Whether synchronisation messages to `uav` are sent directly, not through the ground station.
   bool synchronises_directly(const std::string& uav) const;
   void note_over(functional::TaskId id);
   void handle(const Asked& asked);
@@ -66,11 +65,11 @@ class Execution final : public Component {
   Core& core_;
   executive::Executive executive_;
   bool airborne_ = false;
-  /// Received: the last of each synchronisation and sender.
+  /// The last message received of each synchronisation and sender.
   std::map<std::pair<std::uint64_t, std::string>, SyncMessage> syncs_;
-  /// Of other UAVs, as far as they have said.
+  /// Degrees of other UAVs, as far as known.
   std::map<std::string, mission::Degree> degrees_;
-  /// Tasks that are over and in the plan, in that order.
+  /// Tasks of the plan that are over, in the order of their ends.
   std::deque<functional::TaskId> over_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tasks that the decision node makes by itself, in order to keep its vehicle safe.
+// Tasks that the decision node makes by itself to keep its vehicle safe.
 #pragma once
 
 #include <cstdint>
@@ -23,13 +23,13 @@ class OwnTasks {
   /// Gives the executive a new task.
   void start(const std::string& type, functional::Parameters parameters,
              executive::InsertionMode mode);
-  /// The highest id first.
+  /// Aborts all of them, the highest id first.
   void abort_all();
-  /// True: one of them is over.
+  /// Notes a state of a task; true: an own task is over.
   bool see(const executive::TaskEvent& event);
-  /// None that is not terminal.
+  /// Whether all own tasks are in terminal states.
   bool none_open() const { return open_.empty(); }
-  /// The one that ended last: by the vehicle, without having been asked to stop.
+  /// Whether the own task that ended last was given up by the vehicle, without a request to stop.
   bool given_up() const { return given_up_; }
 
  private:

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways that are flown and not planned by the supervisor.
+// Path queries for ways that the supervisor does not plan.
 #pragma once
 
 #include "skein/refiners/path.hpp"
 
 namespace skein::decision_node {
 
-/// A way at once, a little over the ground at least, as the path refiner is asked for it.
+/// A query to the path refiner for a way that begins now, with a small ground clearance.
 inline refiners::PathQuery path_query(const world::VehicleModel& vehicle,
                                       const world::Vector3& from, const world::Vector3& to,
                                       MissionTime now) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which component gets which request.
+// The table that routes requests to components.
 #pragma once
 
 #include "skein/mission/request.hpp"
@@ -12,8 +12,8 @@ enum class Addressee { kExecution, kDeliberation, kAutonomy };
 struct Route {
   mission::RequestKind kind;
   Addressee to;
-  int least_degree;     ///< below it the request is refused
-  const char* refusal;  ///< with this reason
+  int least_degree;     ///< below this degree the request is refused
+  const char* refusal;  ///< the reason given then
 };
 
 const Route& route_of(mission::RequestKind kind);

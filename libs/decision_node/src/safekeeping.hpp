@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the UAV does by itself: out of contact, or interrupted in the air.
+// Keeps the vehicle safe by itself: out of contact with the ground, or interrupted in the air.
 #pragma once
 
 #include <optional>
@@ -20,20 +20,20 @@ class Safekeeping {
     contact_.ground_heard(reachable, now);
     owed_ = owed_ && !reachable;
   }
-  /// Carries out the contact-loss policy when its instant has come.
+  /// Carries out the contact-loss policy when it is due.
   void time_passes();
   std::optional<MissionTime> next_wakeup() const;
 
-  /// Makes the vehicle hold, or come home, as soon as nothing of the ground's is under way.
+  /// Makes the vehicle hold or come home, as soon as no task of the ground is under way.
   void keep(ContactPolicy how);
-  /// Something of the ground's may be over.
+  /// Starts what keep() asked for, if no task of the ground is under way any more.
   void start_pending();
   void own_task_over(const executive::TaskEvent& event);
-  /// Of its own tasks. When one of others takes the place of an own one that was under way, what
-  /// was to follow that (a landing) would begin in its stead, and be aborted at once.
+  /// Aborts own tasks that have not begun. Otherwise, when a task of others displaces the own task
+  /// under way, its successor (a landing) would begin in its place, and be aborted at once.
   void withdraw_what_waits();
-  /// A hold ends before the vehicle cannot come home any more, and air that closes around it is
-  /// left: the ground may be silent, or have forgotten it.
+  /// Ends a hold while the energy still lasts to come home, and leaves air that closes around the
+  /// vehicle: the ground may be silent, or have forgotten the vehicle.
   void look_after(const world::Telemetry& telemetry);
 
  private:
@@ -55,16 +55,16 @@ class Safekeeping {
   Core& core_;
   ContactWatch contact_;
   std::optional<world::Vector3> seen_at_, leaves_to_;
-  std::optional<ContactPolicy> pending_;  ///< until nothing of the ground's is under way
-  /// When its own way home is tried again, after the vehicle gave it up: with growing pauses.
+  std::optional<ContactPolicy> pending_;  ///< waits until no task of the ground is under way
+  /// When to try the way home again after the vehicle gave it up; pauses grow.
   std::optional<MissionTime> again_at_;
   Duration pause_;
-  /// The policy's instant came on the ground; a takeoff that was given before may come after it.
+  /// The policy came due on the ground; a takeoff that was given before may still follow.
   bool owed_ = false;
-  /// Those who fly it are told that its energy is short: once a flight, looked at now and then.
+  /// The warning that the energy is short was given in this flight.
   bool warned_ = false;
   MissionTime looked_at_energy_;
-  bool holds_ = false;  ///< by itself, as long as the energy lasts to come home after it
+  bool holds_ = false;  ///< holds by itself, until it has to come home for its energy
 };
 
 }  // namespace skein::decision_node

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way to the functional layer, and what is under way there for the ground station.
+// Dispatch of tasks to the functional layer, and the ground station's tasks under way there.
 #pragma once
 
 #include <map>
@@ -14,39 +14,39 @@ namespace skein::decision_node {
 class Merging;
 class OwnTasks;
 
-/// The functional layer moves for one task at a time: what is to hold the vehicle waits until own
-/// tasks, which give way, and tasks that were interrupted are over. What moves it then waits for
-/// its air, where ways are merged.
+/// The functional layer executes one moving task at a time: a task that moves or holds the vehicle
+/// waits until own tasks, which give way, and interrupted tasks are over. With plan merging a
+/// moving task then waits for its reservation.
 class Vehicle {
  public:
   Vehicle(Bus& bus, OwnTasks& own_tasks, Merging& merging)
       : bus_(bus), own_tasks_(own_tasks), merging_(merging) {}
 
   void dispatch(functional::Request request);
-  /// It has all that it waited for.
+  /// Sends the request to the functional layer. Precondition: it waits for nothing.
   void begin(functional::Request request);
-  /// The status to take when the task had not been dispatched yet; else the functional layer is
-  /// asked, and answers.
+  /// Interrupts a task. Returns its final status if it was not dispatched yet; otherwise the
+  /// functional layer is asked and will answer.
   std::optional<functional::Status> interrupt(functional::TaskId task);
-  /// From the functional layer, of a task dispatched here.
+  /// A status of the functional layer for a task dispatched here.
   void told(const functional::Status& status);
-  /// What the functional layer was asked for and has not said the end of.
+  /// Dispatched tasks whose end was not reported yet.
   std::vector<functional::TaskId> under_way() const;
-  /// It may have forgotten the task: it is asked for once more if it can begin anew and is wanted,
-  /// else interrupted. Precondition: it is under way.
+  /// For a functional layer that may have forgotten the task: dispatches it again if it is `wanted`
+  /// and can begin anew, otherwise interrupts it. Precondition: it is under way.
   void ask_again(functional::TaskId task, bool wanted);
-  /// What waited goes, if it may.
+  /// Dispatches the waiting tasks that may go now.
   void release();
 
-  // ---- the ground's tasks that are under way and not in the executive ----
+  // ---- tasks under way that the ground's executive has, not this one ----
 
-  /// False: it was known already.
+  /// Notes such a task; false: it was known already.
   bool ground_has(functional::TaskId task, const std::string& type);
-  /// The executive has it from now on.
+  /// The executive on board has the task from now on.
   void ground_has_no_more(functional::TaskId task) { of_ground_.erase(task); }
   bool is_of_ground(functional::TaskId task) const { return of_ground_.contains(task); }
   const std::map<functional::TaskId, std::string>& of_ground() const { return of_ground_; }
-  /// Passed on; the task's type, empty when it is not known.
+  /// Passes the status on to the ground. Returns the task's type; empty: unknown.
   std::string pass_on(const functional::Status& status);
 
  private:
@@ -63,8 +63,8 @@ class Vehicle {
   Merging& merging_;
   std::vector<functional::Request> waiting_;
   std::map<functional::TaskId, UnderWay> under_way_;
-  std::set<functional::TaskId> holding_;  ///< tasks that hold the vehicle, under way there
-  std::set<functional::TaskId> ending_;   ///< of these, the ones that were interrupted
+  std::set<functional::TaskId> holding_;  ///< tasks under way that move or hold the vehicle
+  std::set<functional::TaskId> ending_;   ///< those of `holding_` that were interrupted
   std::map<functional::TaskId, std::string> of_ground_;
 };
 

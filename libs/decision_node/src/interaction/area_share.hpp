@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An area that is shared among the members of a joint task, as one of them has it: its own part,
-// what is left of it, what is left of others', and what is nobody's any more.
+// One member's view of an area divided among the members of a joint task: its own part, the
+// remainders of its own and of the others' parts, and what has no owner any more.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@
 
 namespace skein::decision_node {
 
-/// What a sweep is planned with.
+/// The input of planning a sweep.
 struct SweepSetting {
   std::shared_ptr<const supervisor::Knowledge> knowledge;
   std::shared_ptr<const world::World> world;
@@ -29,35 +29,35 @@ class AreaShare {
  public:
   explicit AreaShare(std::string self) : self_(std::move(self)) {}
 
-  /// It was shared at least once.
+  /// Whether the area was divided at least once.
   bool agreed() const { return round_ > 0; }
-  /// A result of area-sharing: each part is added to what its member has left.
+  /// A result of area-sharing: adds each part to the remainder of its member.
   void agree(const interaction::Rows& result);
-  /// All of these are its own.
+  /// Adds all of `areas` to this member's own part.
   void take(const std::vector<world::Polygon>& areas);
-  /// What it had left is nobody's, as it told last or as it was agreed.
+  /// A partner is lost: its remainder, as last told or agreed, has no owner any more.
   void lose(const std::string& uav);
   const std::vector<world::Polygon>& nobodys() const { return nobodys_; }
-  /// A partner tells what it has left; what it told before the area was shared again counts not.
+  /// A partner's remainder. Ignored if it was told before the latest division.
   void told(const std::string& uav, const interaction::Rows& left);
 
-  /// To tell partners; empty before it is agreed.
+  /// This member's remainder, for partners; empty before the first division.
   interaction::Rows left() const;
-  /// Its own [m²].
+  /// Area of this member's remainder [m²].
   double area_left() const;
 
-  /// What it can do beside what it has left. Refused: no device, no way, no energy.
+  /// This member's capacity beside its remainder. Refused: no device, no way, no energy.
   Result<interaction::Rows, Failure> offer(const SweepSetting& setting) const;
-  /// The way over all that is left of its own, from where it is; empty: nothing is left. From then
-  /// on what is flown of it counts.
+  /// The way over all of this member's remainder, from its position; empty: nothing remains.
+  /// Flights reported from then on reduce the remainder.
   Result<refiners::Way, Failure> set_out(const SweepSetting& setting);
-  /// It flew there from where it was last.
+  /// The vehicle flew straight from its last position to `to`, seeing `reach` [m] to each side.
   void fly(const world::Vector3& to, double reach);
-  /// It flew all of the way.
+  /// The vehicle has flown all of the way.
   void flown();
 
  private:
-  /// Lanes over a convex piece, of which so many points are passed.
+  /// The lanes over a convex piece, and how many of their points are passed.
   struct Piece {
     world::Polygon area;
     refiners::Way lanes = {};
@@ -72,7 +72,7 @@ class AreaShare {
   std::vector<Piece> own_;
   std::map<std::string, std::vector<world::Polygon>> others_;
   std::vector<world::Polygon> nobodys_;
-  std::vector<world::Vector3> at_;  ///< where it was last, if that is known
+  std::vector<world::Vector3> at_;  ///< the last position; empty: unknown
 };
 
 /// The part of a convex polygon in which `lowest` <= its distance along `normal` <= `highest`.

@@ -17,24 +17,24 @@
 
 namespace skein::decision_node {
 
-/// Without interaction models, every joint task is refused.
+/// Refuses every joint task if there are no interaction models.
 class Interaction final : public Component {
  public:
   explicit Interaction(JointHost& host);
 
-  /// This life begins: what was vowed in one before is not known.
+  /// To be called first: promises made in an earlier life of the node are not known.
   void start();
   /// Operator 4: negotiates roles and start, then answers the supervisor.
   void load(const supervisor::LoadJointTask& asked);
-  /// The executive wants it carried out, or interrupted.
+  /// The executive starts a joint task, or interrupts it.
   void due(executive::TaskId task, bool interrupt);
-  /// It is to end here; partners are told.
+  /// Ends a joint task on this UAV; partners are told.
   void leave(executive::TaskId task, const std::string& why);
   bool is_over(executive::TaskId task) const;
-  /// It is not agreed on yet, or not due; or where its role has the vehicle now, no constraint
-  /// keeps it. What the role does there is not asked.
+  /// Whether the vehicle may move away without breaking a constraint of the joint task: it is not
+  /// agreed or not due yet, or no constraint holds in the current state of the role.
   bool needs_no_place(executive::TaskId task) const;
-  /// Nobody decides here any more: all joint tasks are left, and their partners told.
+  /// Leaves all joint tasks, since this node stops deciding; partners are told.
   void leave_all(const std::string& why);
 
   void task_changed(const executive::TaskEvent& event) override;
@@ -50,12 +50,13 @@ class Interaction final : public Component {
 
   // ---- for its joint tasks ----
 
-  /// Members and model are those of the joint task where none are named. False: refused, and said.
+  /// Begins a negotiation. Members and model default to those of the joint task. False: refused;
+  /// the refusal is journaled.
   bool begin(const Joint& joint, interaction::BeginNegotiation negotiation);
   void withdraw(const std::string& subject, const std::string& why);
-  /// Since when it is out of reach; absent: it is in reach.
+  /// Since when a UAV is out of reach; absent: it is in reach.
   std::optional<MissionTime> silent_since(const std::string& uav) const;
-  /// The number of a new task of a role.
+  /// The id for a new task of a role.
   executive::TaskId next_id();
 
  private:
@@ -76,11 +77,11 @@ class Interaction final : public Component {
   std::optional<interaction::NegotiationManager> manager_;
   std::map<executive::TaskId, std::unique_ptr<JointTask>> tasks_;
   MissionTime born_;
-  std::map<std::string, std::optional<MissionTime>> silent_since_;  ///< of whom contact was told
+  std::map<std::string, std::optional<MissionTime>> silent_since_;  ///< of nodes with known contact
   std::uint64_t next_id_ = 0;
   std::map<std::uint64_t, interaction::SessionId> reckonings_;  ///< by job
   std::uint64_t last_reckoning_ = 0;
-  Tally<std::pair<std::string, std::string>> rejected_{64};  ///< by who said it, and why
+  Tally<std::pair<std::string, std::string>> rejected_{64};  ///< messages, by sender and reason
 };
 
 }  // namespace skein::decision_node

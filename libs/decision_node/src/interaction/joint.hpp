@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A joint task as this UAV is asked for it: which model, with whom, about what.
+// A joint task: its model, members and arguments.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@
 
 namespace skein::decision_node {
 
-/// The value of a parameter: a number, a name (of an object, a point, or a text), a point, UAVs.
+/// The value of a parameter: a number; a name (of an object or point) or text; a point; UAVs.
 using Argument = std::variant<double, std::string, interaction::Position, std::vector<std::string>>;
 using Arguments = std::map<std::string, Argument>;
 
@@ -29,34 +29,35 @@ struct Joint {
   interaction::ModelHash hash;
   std::vector<std::string> members;  ///< in order, this UAV among them
   Arguments arguments;               ///< of the variant's parameters
-  /// The same at all who are asked for the same: model, arguments, members.
+  /// Identifies the joint task among its members: made of model, arguments and members.
   std::string subject;
 };
 
-/// Refused: no such model, no variant for so many, a parameter missing or of another type, a member
-/// that is not of `team`, this UAV not among them.
+/// The joint task of an elementary task. Refused: unknown model, no variant for this number of
+/// members, a parameter missing or of another type, a member that is not in `team`, this UAV not
+/// among the members.
 Result<Joint, Failure> joint_of(const mission::ElementaryTask& task,
                                 const std::shared_ptr<const interaction::Library>& library,
                                 const std::string& self, const std::vector<std::string>& team);
 
-/// The same joint task among these of its members alone, `self` among them, in the variant for so
-/// many; nothing where there is none.
+/// The same joint task for a subset of its members (`self` included), in the variant for their
+/// number; nothing if there is no such variant.
 std::optional<Joint> among(const Joint& joint, const std::vector<std::string>& members);
 
-/// What the parameters of a role stand for.
+/// The values of the parameters of a role.
 Arguments arguments_of(const Joint& joint, const std::string& role);
 
-/// The value of an expression of a role: a name of the scope, or a literal. Refused: not known.
+/// The value of an expression of a role: a name in the scope, or a literal. Refused: unknown name.
 Result<Argument, Failure> value_of(const config::Value& expression, const Arguments& scope);
 
-/// Who holds what: role by UAV.
+/// UAVs to the roles they hold.
 using Holders = std::map<std::string, std::string>;
 
-/// What the places and numbers of an SCM stand for, seen from `self`. Points without a name get
-/// that of their parameter.
+/// The values of the places and numbers of an SCM, as seen by `self`. Points without a name get the
+/// name of their parameter.
 interaction::ScmBinding binding_of(const Joint& joint, const interaction::ScmInstance& instance,
                                    const Holders& holders, const std::string& self);
-/// It names no role: it says where to be, whatever the partners do.
+/// Whether the SCM involves no role: it constrains the place whatever the partners do.
 bool is_about_places(const Joint& joint, const interaction::ScmInstance& instance);
 
 }  // namespace skein::decision_node

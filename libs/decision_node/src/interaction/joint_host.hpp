@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What joint tasks ask of the one whose they are.
+// What joint tasks need of the node that plays them.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace skein::decision_node {
 
-/// Of the decision node of a UAV, or of a stand-in for it.
+/// Implemented by the decision node of a UAV, and by a stand-in for it at the ground.
 class JointHost {
  public:
   JointHost() = default;
@@ -25,25 +25,26 @@ class JointHost {
 
   virtual Bus& bus() = 0;
   virtual const Config& config() const = 0;
-  /// As believed; null: places are not known here, and nothing is played.
+  /// The world as believed; null: it is unknown here, and no role can be played.
   virtual std::shared_ptr<const world::World> world() const = 0;
-  /// Tasks of roles, and what becomes of a joint task that is due.
+  /// Passes an input to the executive: tasks of roles, and states of the joint tasks themselves.
   virtual void run(executive::Input input) = 0;
-  /// The joint task is being aborted.
+  /// Whether the joint task is being aborted.
   virtual bool stops(executive::TaskId joint) const = 0;
-  /// Tasks that are not over, those of roles among them.
+  /// All unfinished tasks, including those of roles.
   virtual std::vector<mission::HeldTask> held() const = 0;
-  /// Tasks of roles are numbered from here on, below kFirstOwnId, by the millisecond.
+  /// The first id for tasks of roles, which are numbered by the millisecond, below kFirstOwnId.
   virtual executive::TaskId first_role_id() const = 0;
   virtual void serves(executive::TaskId role_task, executive::TaskId joint) = 0;
-  /// It is loaded, or will not be.
+  /// The joint task was loaded, or cannot be.
   virtual void answered(const supervisor::JointTaskAnswered& answer) = 0;
-  /// What is seen now, as the plan has it when the joint task begins.
+  /// The vehicle's state at the planned beginning of the joint task, given its state now.
   virtual world::VehicleState when_it_begins(executive::TaskId joint,
                                              const world::VehicleState& seen) const = 0;
-  /// Where it could stay beside others that merge their ways with it; none: nobody does.
+  /// Whether this UAV could stay at a place beside the reservations of others (plan merging); an
+  /// empty function: ways are not merged.
   virtual std::function<bool(const world::Vector3&)> free_to_stay() const { return {}; }
-  /// Why a role may not be played by this one, whatever its vehicle can; empty: it may.
+  /// Why this node may not play a role, apart from the vehicle's abilities; empty: it may.
   virtual std::string why_not(const Joint& joint, const std::string& role) const = 0;
 };
 

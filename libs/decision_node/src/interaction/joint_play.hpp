@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The role of a joint task, as it is played.
+// Playing a role of a joint task.
 #pragma once
 
 #include <cstdint>
@@ -24,25 +24,25 @@ class JointTask;
 
 inline constexpr const char* kAreaSharing = "area-sharing";
 
-/// Who holds which role in a joint task, and where this UAV stands in it.
+/// The holders of the roles of a joint task, and this UAV's phase in it.
 struct Membership {
   Joint joint;
   interaction::JointPhase phase = interaction::JointPhase::kLoading;
   std::string why = {};
   Holders holders = {};
-  std::string allocation = {};  ///< the session in which they were agreed
+  std::string allocation = {};  ///< the session in which the roles were agreed
 
-  /// `self`, who plays `role`, and all who hold a role of which an action belongs to that one, in
-  /// the order of their names.
+  /// The parties of a coordination action: `self`, which plays `role`, and all holders of roles
+  /// that share the action, by name.
   std::vector<std::string> parties_of(const std::string& role, const std::string& action,
                                       const std::string& self) const;
 };
 
-/// What a role asks for is carried out: tasks, places, negotiations in flight. Roles that are
-/// agreed to be others are begun anew, once what runs of the old one is over.
+/// Carries out what a role asks for: tasks, places, negotiations in flight. When another role is
+/// agreed, it begins once the running tasks of the old role are over.
 class JointPlay {
  public:
-  /// All of them outlive it.
+  /// References that must outlive the JointPlay.
   struct Surroundings {
     JointHost& host;
     Interaction& interaction;
@@ -55,13 +55,13 @@ class JointPlay {
   void begin(const std::string& role);
   bool has_begun() const { return play_.has_value(); }
   bool needs_no_place() const { return play_ && !play_->is_bound(); }
-  /// Its role hears it after all that was asked before.
+  /// Queues an input for the role, behind those already queued.
   void tell(const interaction::Input& input);
   void leave();
   void abort_tasks();
 
   // ---- others ----
-  /// Its role can do without one that left.
+  /// Whether the role can go on without a member that left.
   bool goes_on_without() const;
   void lose(const std::string& uav);
   void partner_has_left(const std::string& uav, const interaction::Rows& rest) {
@@ -72,7 +72,8 @@ class JointPlay {
 
   // ---- what happens ----
   void task_changed(const executive::TaskEvent& event);
-  /// Precondition: it is known where this UAV is. False: nothing is played.
+  /// Checks conditions against the vehicle's state; false: no role is being played. Precondition:
+  /// the position of this UAV is known.
   bool watch();
   void time_passes();
   std::optional<MissionTime> next_wakeup() const;
@@ -82,7 +83,7 @@ class JointPlay {
   MissionTime now() const;
   Outlook outlook() const;
   void tell_status(const std::string& componel, interaction::Status::Word word);
-  /// Its number.
+  /// Gives the executive a task of the role; returns its id.
   executive::TaskId give(const std::string& componel, executive::Task task,
                          std::optional<executive::TaskId> along = {});
   void carry_out(const interaction::StateChanged& effect);
@@ -95,9 +96,9 @@ class JointPlay {
   void carry_out(const interaction::ModelOver& effect);
   void roles_agreed(const interaction::Terms& terms,
                     const interaction::NegotiationOutcome& outcome);
-  /// For how long it ran.
+  /// How long the componel's task ran.
   Duration note_done(const std::string& componel);
-  /// Of a task that failed as it began.
+  /// Leaves the joint task after a task that failed as soon as it began.
   void leave_if_in_vain(const std::string& componel, const std::string& why);
   void negotiate_roles(const std::string& action, const std::string& modality);
   // joint_places.cpp
@@ -105,7 +106,7 @@ class JointPlay {
   void take_place_alone(const interaction::BeginNegotiation& begin);
   void places_agreed(const interaction::Terms& terms,
                      const interaction::NegotiationOutcome& outcome);
-  /// Of a task that cannot be carried out.
+  /// Ends a componel whose task cannot be carried out.
   void fail(const std::string& componel, const std::string& why);
   // joint_follow.cpp
   void follow(const std::string& componel);
@@ -128,35 +129,36 @@ class JointPlay {
 
   std::optional<RolePlay> play_;
   std::uint64_t plays_ = 0;
-  std::optional<std::string> next_role_;            ///< once the one now is over
-  std::map<executive::TaskId, std::string> tasks_;  ///< componels of those that are not over
-  std::map<std::string, Duration> done_;            ///< of perceptions, by componel
+  std::optional<std::string> next_role_;            ///< the role after the current one
+  std::map<executive::TaskId, std::string> tasks_;  ///< unfinished tasks to their componels
+  std::map<std::string, Duration> done_;            ///< time perceived, by componel
   std::map<std::string, MissionTime> running_since_;
-  std::map<std::string, std::string> actions_;  ///< subject by action, negotiated now
-  /// Members have just agreed that all keep their roles: nobody asks them again so soon.
+  std::map<std::string, std::string> actions_;  ///< actions under negotiation, to their subjects
+  /// After the members agreed that all keep their roles, no new role negotiation before this.
   std::optional<MissionTime> roles_stand_until_;
-  std::set<executive::TaskId> interrupted_;  ///< as the role asked
-  /// What it follows, and where it stays meanwhile.
+  std::set<executive::TaskId> interrupted_;  ///< by request of the role
+  /// A target that is followed, and the place beside it.
   struct Following {
     std::string target;
-    interaction::Position side{};     ///< of it, on the level [m]
-    interaction::Position seen_at{};  ///< when it was last flown after
-    double height = 0;                ///< over the ground [m]
+    interaction::Position side{};     ///< horizontal offset from the target [m]
+    interaction::Position seen_at{};  ///< the target's position at the last flight after it
+    double height = 0;                ///< above the ground [m]
     bool flies = false;
   };
   std::map<std::string, Following> following_;  ///< by componel
   AreaShare share_;
-  /// What was not agreed is negotiated again.
+  /// A negotiation to be repeated since nothing was agreed.
   struct Again {
     std::string action;
-    std::optional<MissionTime> at;  ///< absent: it is being negotiated
+    std::optional<MissionTime> at;  ///< absent: under negotiation
     MissionTime until;
     bool is_due(MissionTime now) const { return at && *at <= now; }
   };
   std::optional<Again> sharing_again_, places_again_;
-  std::set<std::string> fails_at_once_;  ///< tasks of the role, when they last began
-  std::map<executive::TaskId, executive::TaskId> looks_;  ///< the flight of each that is not over
-  std::map<std::string, std::string> failed_;  ///< why, by task of the role; not done since
+  std::set<std::string> fails_at_once_;  ///< componels whose last task failed as soon as it began
+  std::map<executive::TaskId, executive::TaskId>
+      looks_;                                  ///< unfinished perceptions to their flights
+  std::map<std::string, std::string> failed_;  ///< reason of the last failure, by componel
 };
 
 }  // namespace skein::decision_node

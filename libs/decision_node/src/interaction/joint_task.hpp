@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The life of one joint task at one of its UAVs.
+// The life cycle of one joint task on one of its UAVs.
 #pragma once
 
 #include <map>
@@ -29,59 +29,60 @@ class Interaction;
 ///   running   its role ends                                        ended
 ///   any       interrupted, a partner left or is lost               leaving, aborted
 ///
-/// A role that listens to "member lost" goes on without a partner that left or is lost. Who is out
-/// of reach for a minute while it loads is done without, where a variant is for those who are left.
+/// A role that listens to "member lost" goes on without a partner that left or is lost. While the
+/// task loads, a member that is out of reach for a minute is left out if the model has a variant
+/// for the remaining members.
 ///
-/// What failed to be agreed is negotiated again until it is to start at the latest. Roles that are
-/// agreed to be others while it runs are begun anew, once what runs of the old one is over. Source:
-/// T IV.3, T V.3, spec 7.2 to 7.4.
+/// A failed negotiation is repeated until the latest start. If other roles are agreed while the
+/// task runs, the new role begins once the running tasks of the old one are over. Source: T IV.3, T
+/// V.3, spec 7.2 to 7.4.
 class JointTask {
  public:
   JointTask(JointHost& host, Interaction& interaction, Joint joint,
             std::vector<mission::Interval> preferences, const Sightings& sightings);
 
   const Joint& joint() const { return my_.joint; }
-  /// Among all who are asked for it.
+  /// The joint task with all members that were asked for it.
   const Joint& asked() const { return asked_; }
   interaction::JointPhase phase() const { return my_.phase; }
   bool over() const { return interaction::is_over(my_.phase); }
 
-  /// It is loading or loaded.
+  /// Whether it is loading or loaded.
   bool is_to_begin() const;
-  /// Nor does its role keep a place now.
+  /// Whether the vehicle may move away without breaking a constraint of the role.
   bool needs_no_place() const { return is_to_begin() || play_.needs_no_place(); }
-  /// `again`: it has run here, and failed.
+  /// `again`: it has run on this UAV before, and failed.
   void load(bool again);
   bool has_run() const { return play_.has_begun(); }
-  /// The plan has it with another number, or it can begin at other times.
+  /// The plan changed: the task has another id, or other possible start times.
   void ask_again(executive::TaskId task, std::vector<mission::Interval> preferences);
-  /// The executive wants it carried out.
+  /// The executive starts it.
   void due();
-  /// It is to end here; partners are told.
+  /// Ends it on this UAV; partners are told.
   void leave(const std::string& why);
-  /// The same, without waiting for what is being stopped.
+  /// The same, without waiting for tasks that are being aborted.
   void leave_at_once(const std::string& why);
-  /// All who are asked for it, but oneself.
+  /// All members that were asked for it, except this UAV.
   std::vector<std::string> partners() const;
-  /// This one is asked for it.
+  /// Whether `uav` was asked for it.
   bool asks(const std::string& uav) const;
-  /// What the initialisers of places, and costs, are reckoned from.
+  /// The input for computing places and costs.
   Outlook outlook() const;
-  /// Its role is over, or it is not begun.
+  /// Ends it in this phase. Precondition: its role is over, or not begun.
   void finish(interaction::JointPhase phase);
-  /// What has changed is told, to partners too.
+  /// Emits the status if it changed, for partners too.
   void announce();
 
   // ---- negotiation ----
   bool is_about(const std::string& subject) const;
   void invited(const interaction::Terms& terms);
   Result<interaction::Rows, Failure> offer_for(const interaction::Terms& terms) const;
-  /// At the end of a session, or later when what was undecided is known.
+  /// A session ended with this outcome, or an undecided outcome became known.
   void decided(const interaction::Terms& terms, const interaction::NegotiationOutcome& outcome);
 
   // ---- what happens ----
   void task_changed(const executive::TaskEvent& event);
-  /// Something was seen: are the constraints kept?
+  /// Checks the constraints after a position was seen.
   void watch();
   void partner_told(const interaction::JointTaskStatus& status, MissionTime at);
   void partner_in_reach(const std::string& uav, bool reachable);
@@ -92,7 +93,7 @@ class JointTask {
   MissionTime now() const;
   const std::string& self() const;
 
-  /// Of this UAV: as the plan has it then, before it has begun; now, once it has.
+  /// This UAV's state at the planned beginning; its present state once the task has begun.
   world::VehicleState where_it_begins() const;
   double cost_of_change(const std::string& role) const;
   void wait_for_partners();
@@ -112,28 +113,28 @@ class JointTask {
   Interaction& interaction_;
   const Sightings& sightings_;
   std::vector<mission::Interval> preferences_;
-  const Joint asked_;  ///< among all
+  const Joint asked_;  ///< with all members that were asked
   Membership my_;
   JointPlay play_;
-  bool dispatched_ = false;  ///< the executive has it under way
+  bool dispatched_ = false;  ///< the executive has started it
   bool again_ = false;       ///< it has run before
   MissionTime try_until_;
-  std::optional<MissionTime> again_at_;  ///< to negotiate again
+  std::optional<MissionTime> again_at_;  ///< when to negotiate again
   bool answered_ = false;                ///< the supervisor was told that it is loaded
   bool roles_known_ = false;
   MissionTime agreed_at_;
-  Duration ahead_;  ///< of what it can do first, in the start it offers
+  Duration ahead_;  ///< time before the role's first action, added to the offered start
   std::optional<MissionTime> agreed_start_;
   MissionTime start_agreed_at_;
   std::map<std::string, MissionTime> silent_since_;  ///< partners
-  /// Why it is not agreed on, since when that has been so.
+  /// The reason why nothing is agreed yet, and since when.
   struct Kept {
     std::string why;
     MissionTime since;
     bool said = false;
 
-    /// To be said now, once: what passes by itself, as with a partner that adopts its mission a
-    /// little later, is not worth a word.
+    /// Whether the reason should be reported now; true once. A reason that soon passes by itself,
+    /// such as a partner that gets its mission a little later, is not reported.
     bool is_worth_a_word(const std::string& reason, MissionTime now);
   };
   Kept kept_;

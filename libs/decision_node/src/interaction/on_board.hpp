@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Joint tasks of a UAV that deliberates.
+// The host of joint tasks on a UAV that deliberates.
 #pragma once
 
 #include "interaction/joint_host.hpp"
@@ -8,7 +8,7 @@ namespace skein::decision_node {
 
 class Core;
 
-/// By its executive and its supervisor.
+/// Uses the UAV's own executive and supervisor.
 class OnBoard final : public JointHost {
  public:
   explicit OnBoard(Core& core) : core_(core) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the plan has the vehicle when a task begins.
+// The vehicle's planned state at the beginning of a task.
 #pragma once
 
 #include "skein/mission/elementary_plan.hpp"
@@ -8,9 +8,9 @@
 
 namespace skein::decision_node {
 
-/// Where the tasks before it leave the vehicle that is seen as `seen` now, and the energy that
-/// they, and the wait for it, leave. Without the task in the plan, or anything before it that is
-/// still to come: as it is seen. Source: spec 7.4 ("from the current state and plan").
+/// Position and energy of the vehicle, now at `seen`, after all tasks before `task` and the wait
+/// for it. If the plan does not have the task, or nothing before it is left to do: `seen` itself.
+/// Source: spec 7.4 ("from the current state and plan").
 /// Cost: O(tasks of the plan · log).
 world::VehicleState planned_state(const world::VehicleState& seen, const mission::PlanReport& plan,
                                   executive::TaskId task, const world::VehicleModel& vehicle,

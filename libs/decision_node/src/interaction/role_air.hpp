@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Air that closes on a way that a role flies.
+// Closed air ahead of a flight of a role.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace skein::decision_node {
 
-/// The first volume that what is left of a goto comes into, closed now or within half a minute;
-/// null: none, or the vehicle is in one and has to leave it. Cost: O(way-points × volumes).
+/// The first volume, closed now or within half a minute, that the rest of a goto enters. Null:
+/// none, or the vehicle is inside one and has to leave it. Cost: O(way-points × volumes).
 const world::Volume* closed_ahead(const functional::Parameters& flight,
                                   const world::VehicleState& state,
                                   const world::VehicleModel& model,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One role being played: its automaton, what it computed, and the constraints that hold meanwhile.
+// One role being played: its automaton, its computed values, and the constraints of active blocks.
 #pragma once
 
 #include <map>
@@ -19,31 +19,31 @@ class RolePlay {
 
   const std::string& role() const { return role_; }
   const interaction::Role& model() const { return joint_.library->roles.at(role_); }
-  /// What names of its expressions stand for: parameters, and places that were computed.
+  /// The values of names in its expressions: parameters and computed places.
   const Arguments& scope() const { return scope_; }
   void know(const std::string& local, Argument value) { scope_[local] = std::move(value); }
   void forget(const std::string& local) { scope_.erase(local); }
 
-  /// Refused as the engine refuses.
+  /// Passes an input to the automaton. Refused as by interaction::Engine.
   Result<interaction::Effects, Failure> tell(const interaction::Input& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const { return engine_.next_wakeup(); }
   bool is_over() const { return engine_.is_over(); }
-  /// Some condition of the role is about this message.
+  /// Whether some condition of the role refers to this message.
   bool listens_to(const std::string& message) const;
-  /// It plays no role any more.
+  /// `uav` holds no role any more.
   void lose(const std::string& uav) { holders_.erase(uav); }
   const Holders& holders() const { return holders_; }
-  /// Who plays.
+  /// The UAV that plays this role.
   const std::string& self() const { return self_; }
-  /// Those to whose roles this is given as an argument, in the order of their names.
+  /// UAVs whose roles are given this argument, by name.
   std::vector<std::string> given(const Argument& argument) const;
 
-  /// What changed of the SCMs of active blocks. Of one whose loop begins anew, what still is counts
-  /// as a change.
+  /// Changes of the SCMs of active blocks. After a restart of a block's loop the present states of
+  /// its SCMs count as changes.
   std::vector<interaction::ScmFound> watch(const interaction::Position& own,
                                            const interaction::Observer& observer, MissionTime now);
 
-  /// Some SCM of an active block does more than to keep it apart from others.
+  /// Whether some SCM of an active block does more than keep UAVs apart.
   bool is_bound() const;
 
   const interaction::Automaton& automaton() const { return engine_.automaton(); }
@@ -55,8 +55,8 @@ class RolePlay {
     std::string initialiser;
   };
   Local local(const std::string& name) const;
-  /// That hold for a place computed in this block: of it and the blocks around it; with `ahead`
-  /// also those about places of other blocks of the role, which are to come.
+  /// SCMs for a place computed in this block: those of it and of the blocks around it; with `ahead`
+  /// also those about places of later blocks of the role.
   std::vector<interaction::ActiveScm> scms_at(interaction::ComponelIndex block, bool ahead) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a role asks for, as a task of the executive.
+// Executive tasks made from the tasks of a role.
 #pragma once
 
 #include <optional>
@@ -15,37 +15,37 @@
 
 namespace skein::decision_node {
 
-/// Sweeps what is left of one's part of an area; two tasks of the executive make it.
+/// Sweeps the remainder of the UAV's part of an area; made of two executive tasks.
 inline constexpr std::string_view kMapArea = "map-area";
-/// Stays beside what moves, by one flight after the other.
+/// Stays beside a moving target, by one flight after another.
 inline constexpr std::string_view kFollow = "follow";
 
-/// What a role's task is made under.
+/// The context of a role's task.
 struct RoleTaskContext {
   const RolePlay& play;
   const Outlook& outlook;
   const world::VehicleState& state;
-  Duration done = {};      ///< of a perception that was interrupted before
-  std::string allocation;  ///< names the allocation of roles that is in force
+  Duration done = {};      ///< part of an interrupted perception that was done before
+  std::string allocation;  ///< name of the current allocation of roles
 };
 
-/// Without its id and what it waits for. A goto is a way around what is in between; a perception is
-/// shorter by what was done of it; who meets whom is told by the place of a meeting among those of
-/// its role: the first of one role is the first of the other. Refused: a value or a way is missing.
+/// An executive task without its id and preconditions. A goto gets a way around obstacles; a
+/// perception is shortened by the part already done; meetings of two roles are paired by their
+/// order in the roles (first with first). Refused: a value or a way is missing.
 Result<executive::Task, Failure> make_task(const interaction::Componel& componel,
                                            const std::string& subject,
                                            const RoleTaskContext& context);
 
-/// The zone that an expression of a role names; nothing: there is no such zone.
+/// The zone named by an expression of a role; nothing: there is no such zone.
 std::optional<world::Polygon> zone_of(const config::Value& named, const Arguments& scope,
                                       const world::World& world);
 
-/// A goto; without its id.
+/// A goto along `way`, without its id.
 executive::Task flight_along(const refiners::Way& way);
-/// Looks with a device while that flight runs; without its id.
+/// A perception with `device` while `flight` runs, without its id.
 executive::Task look_along(executive::TaskId flight, const std::string& device);
 
-/// How long it lasts by its parameters; zero: it does not say.
+/// The duration given by the task's parameters; zero: none is given.
 Duration duration_of(const interaction::Task& task, const RolePlay& play);
 
 }  // namespace skein::decision_node

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where this UAV, its partners and the places of a joint task are, as far as is known.
+// Known positions of this UAV, its partners, and the objects and places of a joint task.
 #pragma once
 
 #include <map>
@@ -20,13 +20,13 @@ class Sightings {
   explicit Sightings(std::string self) : self_(std::move(self)) {}
 
   void see(const world::Telemetry& telemetry) { seen_[telemetry.uav] = telemetry; }
-  /// An object that moves, or one of which it is said from now on where it stays.
+  /// A position of an object, moving or at rest.
   void see(const mission::KnownPlace& place);
-  /// Null before it was told.
+  /// This UAV's telemetry; null before the first.
   const world::Telemetry* own() const;
-  /// UAVs and objects as they were seen, of when they were seen; points of the arguments that have
-  /// no name, and places of the world, as of `now`: they are where they are said to be until
-  /// something else is said. Lifetime: refers to all of these.
+  /// An observer of UAVs and objects at the positions and times at which they were last seen, and
+  /// of unnamed points of the arguments and places of the world, which count as seen at `now`.
+  /// Lifetime: refers to all parameters and to this object.
   interaction::Observer observer(const Arguments& arguments, const world::World& world,
                                  MissionTime now) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The UAV's part in keeping plans consistent in time between UAVs.
+// The temporal agent of a UAV: keeps its plan consistent in time with the plans of others.
 #pragma once
 
 #include <map>
@@ -14,18 +14,18 @@ namespace skein::decision_node {
 
 class Core;
 
-/// The temporal agent: it tells others of the network of its plan when that changed, hears of
-/// theirs, and tells the supervisor when those come whom its UAV is to meet. What is told, and to
-/// whom, is by the algorithm: the frontier to every UAV (DIP-M), the whole network to every UAV
-/// (DIP-G) or to the ground station, which tells when others come (CIP), or when this one comes, to
-/// each what concerns it (DIP-L). Each is a state: who was cut off, or restarted, hears the last
-/// one. Who is out of reach is supposed to keep to what it said last. Source: spec 5.3;
+/// Sends the changes of its plan's temporal network to others, receives theirs, and tells the
+/// supervisor when partners come to meetings. The algorithm decides what is sent to whom: the
+/// frontier to every UAV (DIP-M); the whole network to every UAV (DIP-G), or to the ground station,
+/// which sends the arrivals of others (CIP); this UAV's own arrivals, to each partner those that
+/// concern it (DIP-L). Each message is a complete state, so after a cut or restart the last one is
+/// enough. A UAV out of reach is assumed to keep to its last message. Source: spec 5.3;
 /// docs/decisions/0021-meetings.md, 0032-consistency-on-the-wire.md.
 class Meetings final : public Component {
  public:
   explicit Meetings(Core& core);
 
-  /// Of the own plan.
+  /// The frontier of this UAV's plan changed.
   void said(const temporal::Frontier& frontier);
   void hear(const FrontierTold& told);
   void contact(const Contact& contact);
@@ -44,17 +44,17 @@ class Meetings final : public Component {
 
   Core& core_;
   temporal::TeamDates team_;
-  Dates told_;  ///< to the supervisor
-  /// What another was told last (DIP-L), when, and whether there is more to tell since.
+  Dates told_;  ///< the arrivals last told to the supervisor
+  /// The last message to a UAV (DIP-L), when it was sent, and whether it is outdated.
   struct Told {
     temporal::Frontier word = {};
     std::optional<MissionTime> at = {};
     bool more = false;
   };
   std::map<std::string, Told> words_;
-  /// Since when each waits for the other there: words may be on their way.
+  /// Meetings at which both wait for each other, since when; messages may still be under way.
   std::map<temporal::MeetingId, MissionTime> circles_;
-  /// In reach again since then: what it did meanwhile it may not have told yet.
+  /// UAVs back in reach, since when; they may not have sent yet what changed meanwhile.
   std::map<std::string, MissionTime> back_;
   std::optional<MissionTime> looked_;
 };

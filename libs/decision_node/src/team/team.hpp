@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The UAV's part in its team: it votes at every degree; at degree 5 it bids, and does what it won.
+// The UAV as a team member: votes at every degree; at degree 5 bids, and carries out what it won.
 #pragma once
 
 #include <map>
@@ -21,23 +21,23 @@ namespace skein::decision_node {
 class Core;
 struct Vantage;
 
-/// Without a team in the configuration it does nothing. A task that is granted goes to the
-/// supervisor as a goal of its own mission, one at a time; its end is told to the team, which sells
-/// again what failed. Source: spec 6.3; docs/decisions/0018-degree-5.md.
+/// Does nothing if the configuration has no team. Granted tasks go to the supervisor one at a time,
+/// each as a goal in a mission of its own. The end of each is reported to the team, which sells a
+/// failed task again. Source: spec 6.3; docs/decisions/0018-degree-5.md.
 class Team final : public Component {
  public:
   explicit Team(Core& core);
 
-  /// There is a team.
+  /// Whether there is a team.
   bool possible() const { return member_.has_value(); }
   void start();
   void hear(const TeamTold& told);
-  /// To who is out of reach nothing is said: all of it is said again.
+  /// Members out of reach are sent nothing; messages repeat once they are in reach again.
   void contact(const Contact& contact);
-  /// Of the supervisor's.
+  /// The supervisor's answer to a mission of the team.
   void mission_answered(mission::MissionId mission, bool accepted, const std::string& why);
   void goal_changed(const mission::GoalStatus& status);
-  /// After what happened was carried out: it bids or does not, and goes home with nothing to do.
+  /// To be called after each input: starts or stops bidding, and flies home when idle.
   void settle();
 
   void vehicle_told(const world::Telemetry& telemetry) override { telemetry_ = telemetry; }
@@ -51,8 +51,8 @@ class Team final : public Component {
     mission::GoalId goal;
     mission::MissionId mission;
     std::string statement;
-    bool begun = false;      ///< some of it was carried out
-    bool withdrawn = false;  ///< for no fault of its own
+    bool begun = false;      ///< a part of it was carried out
+    bool withdrawn = false;  ///< withdrawn from this UAV, not failed
   };
 
   void give(auction::TeamInput input);
@@ -84,7 +84,7 @@ class Team final : public Component {
   std::map<auction::TaskNumber, std::uint32_t> attempts_;
   std::map<auction::TaskNumber, std::string> failed_;
   std::map<auction::TaskNumber, std::optional<refiners::Gate>> visits_;
-  std::shared_ptr<const world::World> visited_;  ///< the world that they are of
+  std::shared_ptr<const world::World> visited_;  ///< the world for which `visits_` were computed
   std::optional<MissionTime> idle_since_;
   std::uint64_t missions_ = 0;
 };

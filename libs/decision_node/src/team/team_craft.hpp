@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The UAV as its bids see it.
+// Estimates for the UAV's bids.
 #pragma once
 
 #include <map>
@@ -16,25 +16,26 @@
 
 namespace skein::decision_node {
 
-/// What a UAV knows of itself and of what is on sale. Refers to what outlives the bid.
+/// What the UAV knows of itself and of the tasks on sale.
 struct Vantage {
   std::shared_ptr<const supervisor::Knowledge> knowledge;
   std::shared_ptr<const world::World> world;
   world::Telemetry telemetry;
   MissionTime now;
-  Duration busy;  ///< until what it has of its own is over
-  /// What the tasks of the ledger come down to, and where that takes the UAV.
+  Duration busy;  ///< until its own current tasks are over
+  /// The work behind the ledger's tasks, and the places where the UAV would begin and end it.
   std::map<auction::TaskNumber, mission::HighLevelTask> tasks;
   std::map<auction::TaskNumber, std::optional<refiners::Gate>> visits;
-  /// Tasks that it tried, and why that came to nothing.
+  /// Tasks that this UAV tried in vain, with the reason.
   std::map<auction::TaskNumber, std::string> failed;
 };
 
-/// Straight flights between the places of tasks, at cruise speed in the wind, from where the UAV is
-/// and home again; a sweep counts on the way to it. Not operator 1 in evaluation, which is a job of
-/// some 0.1 s for one insertion: a sale asks for the ways between all its tasks, in one call, many
-/// times. The winner's supervisor plans the task when it begins, and puts back what it cannot plan.
-/// Source: spec 6.3; docs/decisions/0018-degree-5.md.
+/// Estimates flights as straight lines between the places of tasks, at cruise speed in the wind,
+/// from the UAV's position and home again; the length of a sweep is added to the flight to it.
+/// Operator 1 in evaluation mode would be more exact, but takes a job of some 0.1 s per insertion,
+/// while one call of a sale asks for the legs between all its tasks. The winner's supervisor plans
+/// the task when it begins, and puts back what it cannot plan. Source: spec 6.3;
+/// docs/decisions/0018-degree-5.md.
 class TeamCraft final : public auction::Craft {
  public:
   explicit TeamCraft(Vantage vantage) : at_(std::move(vantage)) {}
