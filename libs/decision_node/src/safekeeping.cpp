@@ -157,7 +157,11 @@ void Safekeeping::look_after(const world::Telemetry& telemetry) {
   if (owed_ && core_.execution().airborne() && is_idle()) carry_out_policy();
   warned_ = warned_ && core_.execution().airborne();
   if (!core_.execution().airborne() || !knows_world()) return;
-  if (!holds_) return warn_of_energy(telemetry);
+  if (!holds_) {
+    warn_of_energy(telemetry);
+    if (is_left_alone()) leave_closed_air(telemetry.state.position);
+    return;
+  }
   if (!must_return(telemetry)) return leave_closed_air(telemetry.state.position);
   core_.bus().emit(PolicyCarriedOut{ContactPolicy::kReturn,
                                     "held until the energy lasts no longer than to come home"});
@@ -191,7 +195,8 @@ void Safekeeping::warn_of_energy(const world::Telemetry& telemetry) {
 
 // At degree 4 no operator looks after it between two tasks.
 bool Safekeeping::is_left_alone() const {
-  return mission::deliberates(core_.degree()) && is_idle() && !again_at_;
+  return mission::deliberates(core_.degree()) && !core_.deliberation().engaged() && is_idle() &&
+         !again_at_;
 }
 
 /// While it is on its way, where that leads counts.
