@@ -197,6 +197,20 @@ TEST(OutOfContact, ATaskOfTheGroundsThatMovesTheVehicleTakesThePlaceOfAnOwnOne) 
   EXPECT_THAT(uav.news(), Not(Contains("dispatch land"))) << "that was to follow the way home";
 }
 
+// What waited for the vehicle to stop would begin together with what takes its place.
+TEST(OutOfContact, AWayHomeThatHasNotBegunIsWithdrawnForAHold) {
+  KeptUav uav = under_way_and_lost(of(ContactPolicy::kReturn));
+  uav.brakes_slowly();
+  uav.at(kDue);
+  uav.give(Contact{KeptUav::kGround, true, true});
+  uav.news();
+
+  uav.command(mission::ChangeDegree{3, true});
+  uav.stops();
+
+  EXPECT_THAT(uav.news(), ElementsAre("dispatch wait"));
+}
+
 // ---- a landing that the vehicle gives up ----
 
 TEST(LastLanding, ThatTheVehicleGivesUpIsTriedAgainWithGrowingPauses) {
@@ -347,6 +361,18 @@ TEST(LeftInTheAir, LeavesAirThatClosesAroundIt) {
   EXPECT_THAT(uav.news(),
               ElementsAre("policy hold: the air around it is closed (volume 'smoke'): it leaves",
                           "dispatch goto"));
+}
+
+TEST(LeftInTheAir, WhileItDeliberatesItsSupervisorLeavesClosedAir) {
+  KeptUavSetup setup = of(ContactPolicy::kHold, 4);
+  setup.volumes = {closed("smoke", {100, 0, 0}, 50, 300)};
+  KeptUav uav(setup);
+  uav.flies_at({100, 0, 50});
+  uav.news();
+
+  uav.at(245);
+
+  EXPECT_THAT(uav.news(), Not(Contains(HasSubstr("policy"))));
 }
 
 TEST(LeftInTheAir, BelowDegreeFourClosedAirIsItsOperatorsConcern) {

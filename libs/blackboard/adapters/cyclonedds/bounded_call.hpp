@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calls of the middleware that may not return.
+#pragma once
+
+#include <functional>
+
+#include "skein/foundation/time.hpp"
+
+namespace skein::blackboard::cyclonedds {
+
+/// Runs `call` in a thread of its own and waits for its end, at most `limit` on the steady clock.
+/// False: it has not ended, and the thread goes on; everything that the call uses has to be kept
+/// alive then.
+bool returns_within(Duration limit, std::function<void()> call);
+
+}  // namespace skein::blackboard::cyclonedds
