@@ -291,6 +291,25 @@ TEST(Hold, LeavesAirThatClosesAroundItAndHoldsBeside) {
   EXPECT_THAT(uav.news(), ElementsAre("dispatch wait"));
 }
 
+// The way out still waits for the vehicle to stop when the energy runs short.
+TEST(Hold, AWayOutThatHasNotBegunIsWithdrawnForTheWayHome) {
+  KeptUavSetup setup = of(ContactPolicy::kHold);
+  setup.volumes = {closed("smoke", {100, 0, 0}, 50, 300)};
+  KeptUav uav = under_way_and_lost(setup);
+  uav.at(kDue);
+  uav.brakes_slowly();
+  uav.at(245);
+  uav.flies_at({100, 0, 50}, 0.11);
+  uav.news();
+
+  uav.stops();
+  EXPECT_THAT(uav.news(), ElementsAre("dispatch goto"));
+  uav.flies_at({0, 0, 50}, 0.105);
+  uav.ends("goto");
+
+  EXPECT_THAT(uav.under_way(), ElementsAre("land"));
+}
+
 // ---- left in the air ----
 
 /// At degree 4, its deliberation stopped by a loss of contact that is over, and its hold ended by
