@@ -11,6 +11,7 @@ import check_daemons
 import check_documents
 import check_headers_alone
 import check_includes
+import check_one_definition
 import sources
 
 
@@ -58,6 +59,30 @@ class HeadersAlone(unittest.TestCase):
 
     def test_comments_use_nothing(self):
         self.assertEqual([], self.problems(one="// std::vector\n"))
+
+
+class OneDefinition(unittest.TestCase):
+    def problems(self, **texts):
+        return list(check_one_definition.one_definition_problems(texts))
+
+    def test_two_types_of_one_name_are_told_with_both_files(self):
+        self.assertEqual(["skein::a::Plan is defined in one and in two"],
+                         self.problems(one="namespace skein::a {\nclass Plan {\n};\n}", two="namespace skein::a {\nstruct Plan : Base {};\n}"))
+
+    def test_of_another_namespace_they_are_two(self):
+        self.assertEqual([], self.problems(one="namespace skein::a {\nclass Plan {};\n}", two="namespace skein::b {\nclass Plan {};\n}"))
+
+    def test_declarations_and_nested_types_are_none(self):
+        self.assertEqual([], self.problems(one="namespace skein::a {\nclass Plan { struct Part {}; };\n}",
+                                           two="namespace skein::a {\nclass Plan;\nclass Plan::Impl {};\nclass Other { struct Part {}; };\n}"))
+
+    def test_nor_is_what_has_no_linkage(self):
+        self.assertEqual([], self.problems(one="namespace skein::a {\nnamespace {\nclass Plan {};\n}\n}", two="namespace skein::a {\nclass Plan {};\n}"))
+
+    def test_functions_between_them_do_not_matter(self):
+        self.assertEqual(["skein::a::Plan is defined in one and in two"],
+                         self.problems(one="namespace skein::a {\nint f() { if (true) { return 1; } }\nclass Plan {};\n}",
+                                       two="namespace skein::a {\nenum class Plan : int { kOne };\n}"))
 
 
 class Includes(unittest.TestCase):

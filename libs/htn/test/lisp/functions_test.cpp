@@ -8,18 +8,18 @@
 
 namespace skein::htn {
 
-struct Path {
+struct Route {
   std::vector<double> points;
 };
 
 template <>
-struct ObjectName<Path> {
+struct ObjectName<Route> {
   static constexpr std::string_view kValue = "path";
 };
 
 namespace {
 
-using PathPointer = std::shared_ptr<const Path>;
+using RoutePointer = std::shared_ptr<const Route>;
 
 class HostFunctions : public ::testing::Test, protected test::LispFixture {};
 
@@ -75,7 +75,7 @@ TEST_F(HostFunctions, WrongTypesNameFunctionArgumentAndWhatWasExpected) {
   functions.add(typed("distance", [](double x, double y) { return x + y; }));
   functions.add(typed("twice", [](std::int64_t x) { return 2 * x; }));
   functions.add(typed("total", [](const std::vector<double>& all) { return all.size() > 1; }));
-  functions.add(typed("size", [](const PathPointer& path) { return path != nullptr; }));
+  functions.add(typed("size", [](const RoutePointer& path) { return path != nullptr; }));
   restart();
 
   EXPECT_EQ(value("(distance 1 '(a b))"),
@@ -114,14 +114,14 @@ TEST_F(HostFunctions, NumbersThatAreNotFiniteAreFailures) {
 }
 
 TEST_F(HostFunctions, ObjectsArePassedOnByLaterTerms) {
-  functions.add(typed("plan-path", [](double from, double to) -> PathPointer {
+  functions.add(typed("plan-path", [](double from, double to) -> RoutePointer {
     if (from == to) return nullptr;
-    return std::make_shared<const Path>(Path{{from, (from + to) / 2, to}});
+    return std::make_shared<const Route>(Route{{from, (from + to) / 2, to}});
   }));
-  functions.add(typed("path-size", [](PathPointer path) {
+  functions.add(typed("path-size", [](RoutePointer path) {
     return static_cast<std::int64_t>(path->points.size());
   }));
-  functions.add(typed("path-end", [](const PathPointer& path) { return path->points.back(); }));
+  functions.add(typed("path-end", [](const RoutePointer& path) { return path->points.back(); }));
   restart();
   set("?path", *evaluated([&] {
         Diagnostics errors;
@@ -137,7 +137,7 @@ TEST_F(HostFunctions, ObjectsArePassedOnByLaterTerms) {
 
 TEST_F(HostFunctions, AnObjectOfAnotherTypeIsAWrongArgument) {
   functions.add(typed("make-other", [] { return std::make_shared<const int>(1); }));
-  functions.add(typed("path-size", [](PathPointer path) { return path == nullptr; }));
+  functions.add(typed("path-size", [](RoutePointer path) { return path == nullptr; }));
   restart();
 
   EXPECT_EQ(value("(path-size (make-other))"),

@@ -357,7 +357,7 @@ Value PlannerHost::Services::viewpoint(TermStore& store, Arguments arguments) {
 Value PlannerHost::Services::meeting(TermStore& store, Arguments arguments) {
   const auto at = names_.place(store, arguments[0]);
   if (!at) return kNil;
-  Meetings::Devices devices{text_of(store, arguments[1]), {}};
+  MeetingPlaces::Devices devices{text_of(store, arguments[1]), {}};
   if (!store.is_list(arguments[2])) return wrong(store, arguments[2], "list of devices");
   for (const Term one : store.items(arguments[2])) devices.order.push_back(text_of(store, one));
   const auto found = refinery_.meetings.at(*at, relations_.who_meet(store, arguments.subspan(3, 2)),

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "refinery/meetings.hpp"
+#include "refinery/meeting_places.hpp"
 #include "refinery/outlook.hpp"
 #include "refinery/views.hpp"
 
@@ -21,7 +21,7 @@ struct Refinery {
   TimedAir air;
   Ways ways{air};
   Views views{air};
-  Meetings meetings{air, views};
+  MeetingPlaces meetings{air, views};
   Patrols patrols{air, ways};
   Sweeps sweeps{air, ways};
   Outlook outlook{air, ways, patrols, sweeps};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "refinery/meetings.hpp"
+#include "refinery/meeting_places.hpp"
 
 #include <algorithm>
 #include <array>
@@ -52,11 +52,11 @@ Views::Constraints apart_from(const std::vector<Spot>& before, const Vector3& pl
 
 }  // namespace
 
-bool Meetings::is_me(const std::string& name) const {
+bool MeetingPlaces::is_me(const std::string& name) const {
   return same_name(name, air_.gazetteer().knowledge().uav);
 }
 
-Meetings::Party Meetings::party(const std::string& name) {
+MeetingPlaces::Party MeetingPlaces::party(const std::string& name) {
   const auto with = [](TimedAir& air, Views& views) {
     return Party{air, views, air.reach() + kLeastBetween};
   };
@@ -66,9 +66,9 @@ Meetings::Party Meetings::party(const std::string& name) {
   return with(other->air, other->views);
 }
 
-Answer<Meetings::Gathering> Meetings::at(const Vector3& place,
-                                         const std::vector<std::string>& names,
-                                         const Devices& devices, const Departure& when) {
+Answer<MeetingPlaces::Gathering> MeetingPlaces::at(const Vector3& place,
+                                                   const std::vector<std::string>& names,
+                                                   const Devices& devices, const Departure& when) {
   const bool in_the_air = !air_.gazetteer().on_ground(place);
   Gathering gathering;
   std::vector<Spot> before;
@@ -93,8 +93,8 @@ Answer<Meetings::Gathering> Meetings::at(const Vector3& place,
   return gathering;
 }
 
-Answer<Spot> Meetings::around(const Vector3& place, const Party& one, std::size_t rank,
-                              const std::vector<Spot>& before, double distance) {
+Answer<Spot> MeetingPlaces::around(const Vector3& place, const Party& one, std::size_t rank,
+                                   const std::vector<Spot>& before, double distance) {
   const auto air = one.air.airspace();
   if (!air) return no(air.error());
   // From the side of where the world begins, that of their homes as a rule.
@@ -119,9 +119,9 @@ Answer<Spot> Meetings::around(const Vector3& place, const Party& one, std::size_
   return no("no free air beside it for partner " + std::to_string(rank + 1));
 }
 
-Answer<Spot> Meetings::beside(const Vector3& place, const Party& one,
-                              const std::vector<std::string>& devices,
-                              const std::vector<Spot>& before, const Departure& when) {
+Answer<Spot> MeetingPlaces::beside(const Vector3& place, const Party& one,
+                                   const std::vector<std::string>& devices,
+                                   const std::vector<Spot>& before, const Departure& when) {
   std::string why = "no device sees it";
   for (const std::string& device : devices) {
     const auto* sensor = one.air.gazetteer().sensor(device);

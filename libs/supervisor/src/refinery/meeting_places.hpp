@@ -12,11 +12,11 @@
 
 namespace skein::supervisor {
 
-class Meetings {
+class MeetingPlaces {
  public:
-  Meetings(TimedAir& air, Views& views) : air_(air), views_(views) {}
-  Meetings(const Meetings&) = delete;
-  Meetings& operator=(const Meetings&) = delete;
+  MeetingPlaces(TimedAir& air, Views& views) : air_(air), views_(views) {}
+  MeetingPlaces(const MeetingPlaces&) = delete;
+  MeetingPlaces& operator=(const MeetingPlaces&) = delete;
 
   struct Devices {
     std::string own;                 ///< the device that this UAV looks with
