@@ -166,6 +166,7 @@ void Safekeeping::look_after(const world::Telemetry& telemetry) {
   core_.bus().emit(PolicyCarriedOut{ContactPolicy::kReturn,
                                     "held until the energy lasts no longer than to come home"});
   holds_ = false;
+  warned_ = true;  // that says it
   keep(ContactPolicy::kReturn);
 }
 

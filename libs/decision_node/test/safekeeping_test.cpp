@@ -307,7 +307,7 @@ TEST(Hold, AWayOutThatHasNotBegunIsWithdrawnForTheWayHome) {
   uav.flies_at({0, 0, 50}, 0.105);
   uav.ends("goto");
 
-  EXPECT_THAT(uav.under_way(), ElementsAre("land"));
+  EXPECT_THAT(uav.news(), ElementsAre("dispatch land"));
 }
 
 // ---- left in the air ----
