@@ -41,6 +41,16 @@ class RandomLog {
     line.update(rest);
     lines_.push_back(line);
   }
+  /// So that a UAV is known, and the log goes on so long.
+  void see(int step, const std::string& uav) {
+    add(step, "sim", "telemetry",
+        {{"uav", uav},
+         {"position", {0, 0, 0}},
+         {"velocity", {0, 0, 0}},
+         {"heading", 0},
+         {"energy", 1},
+         {"airborne", true}});
+  }
   const std::vector<Json>& lines() const { return lines_; }
   std::string text() const {
     std::string all;
@@ -172,13 +182,7 @@ TEST_P(Recount, TwoMeetOnceForEachSynchronisationBothWaysOfWhichWereHeard) {
     log.add(step, sent ? from : to, "sync",
             {{"id", id}, {"from", from}, {"to", to}, {"direction", sent ? "sent" : "received"}});
     // UAVs are known by what they fly.
-    log.add(step, "sim", "telemetry",
-            {{"uav", log.uav()},
-             {"position", {0, 0, 0}},
-             {"velocity", {0, 0, 0}},
-             {"heading", 0},
-             {"energy", 1},
-             {"airborne", false}});
+    log.see(step, log.uav());
   }
   const Read read(log);
 
@@ -208,13 +212,7 @@ TEST_P(Recount, AUavHasOrWaitsForTheAirThatWasLastLogged) {
              {"type", "goto"},
              {"state", states[log.random().below(5)]},
              {"waited", 0}});
-    log.add(step, "sim", "telemetry",
-            {{"uav", log.uav()},
-             {"position", {0, 0, 0}},
-             {"velocity", {0, 0, 0}},
-             {"heading", 0},
-             {"energy", 1},
-             {"airborne", true}});
+    log.see(step, log.uav());
   }
   const Read read(log);
   const std::vector<AirUse> uses = tell_air(read.journal, read.story);
@@ -235,26 +233,21 @@ TEST_P(Recount, AUavHasOrWaitsForTheAirThatWasLastLogged) {
 
 // ---- constraints ----
 
-TEST_P(Recount, AConstraintIsViolatedFromWhenItIsSaidUntilItIsKeptOrItsJointTaskIsOver) {
-  RandomLog log(seed());
+/// Constraints that are violated and kept, and joint tasks that end meanwhile.
+RandomLog log_of_constraints(std::uint64_t seed) {
+  RandomLog log(seed);
   const std::string joint = "watch(P1) of uav1, uav2, uav3";
   for (int step = 0; step < kSteps; ++step) {
     const std::string uav = log.uav(), scm = "mcs" + std::to_string(1 + log.random().below(2));
     if (log.random().chance(0.1)) {
-      log.add(step, uav, "joint",
-              {{"uav", uav},
-               {"joint", joint},
-               {"task", 2},
-               {"model", "watch"},
-               {"variant", "v"},
-               {"phase", "running"}});
-      log.add(step, uav, "joint",
-              {{"uav", uav},
-               {"joint", joint},
-               {"task", 2},
-               {"model", "watch"},
-               {"variant", "v"},
-               {"phase", "ended"}});
+      for (const char* phase : {"running", "ended"})
+        log.add(step, uav, "joint",
+                {{"uav", uav},
+                 {"joint", joint},
+                 {"task", 2},
+                 {"model", "watch"},
+                 {"variant", "v"},
+                 {"phase", phase}});
     } else {
       const bool violated = log.random().chance(0.6);
       log.add(step, uav, "scm",
@@ -269,13 +262,12 @@ TEST_P(Recount, AConstraintIsViolatedFromWhenItIsSaidUntilItIsKeptOrItsJointTask
                {"required", 50}});
     }
   }
-  log.add(kSteps + 1, "sim", "telemetry",
-          {{"uav", "uav1"},
-           {"position", {0, 0, 0}},
-           {"velocity", {0, 0, 0}},
-           {"heading", 0},
-           {"energy", 1},
-           {"airborne", true}});
+  log.see(kSteps + 1, "uav1");
+  return log;
+}
+
+TEST_P(Recount, AConstraintIsViolatedFromWhenItIsSaidUntilItIsKeptOrItsJointTaskIsOver) {
+  const RandomLog log = log_of_constraints(seed());
   const Read read(log);
   const JointTasks told = tell_joint_tasks(read.journal, read.story);
 
@@ -306,13 +298,7 @@ TEST_P(Recount, EachWordOnAPlanThatWasHeardIsInOneMessageOfItsSender) {
     const std::string by = log.uav(), from = log.other_than(by);
     log.add(step, by, "frontier",
             {{"uav", by}, {"direction", "received"}, {"from", from}, {"meetings", 1}, {"arcs", 2}});
-    log.add(step, "sim", "telemetry",
-            {{"uav", log.uav()},
-             {"position", {0, 0, 0}},
-             {"velocity", {0, 0, 0}},
-             {"heading", 0},
-             {"energy", 1},
-             {"airborne", true}});
+    log.see(step, log.uav());
   }
   const Read read(log);
 
