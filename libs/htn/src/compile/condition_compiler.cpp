@@ -360,6 +360,28 @@ GoalIndex ConditionCompiler::typed_quantified(GoalKind kind, Expression expressi
   return add(std::move(made));
 }
 
+// A variable is of a type, or of one of (either type …); nothing where that is so of any object.
+std::optional<GoalIndex> ConditionCompiler::type_goal(Expression type, std::uint32_t variable) {
+  TermStore& store = domain_.store;
+  const auto of_one = [&](Expression name) {
+    const std::array<Term, 2> typed{(*name).atom, Term(TermKind::kSlot, variable)};
+    return add(atom_goal(store, store.list(typed), name));
+  };
+  const Term object = store.symbol("object");
+  if (!(*type).list) {
+    return (*type).atom == object ? std::nullopt : std::optional<GoalIndex>(of_one(type));
+  }
+  const std::vector<Expression> either = parts(type);
+  Goal made;
+  made.kind = GoalKind::kOr;
+  made.where = type;
+  for (std::size_t at = 1; at < either.size(); ++at) {
+    if ((*either[at]).atom == object) return std::nullopt;
+    made.conditions.push_back(add_condition({of_one(either[at])}, either[at]));
+  }
+  return add(std::move(made));
+}
+
 std::vector<GoalIndex> ConditionCompiler::type_goals(Expression typed_list, ClauseScope& scope,
                                                      std::vector<Term>& variables) {
   TermStore& store = domain_.store;
@@ -369,11 +391,9 @@ std::vector<GoalIndex> ConditionCompiler::type_goals(Expression typed_list, Clau
   for (const Expression part : parts(typed_list)) {
     const Term atom = (*part).atom;
     if (type_follows) {
-      const bool checked = !(*part).list && atom != store.symbol("object");
       for (const Term variable : waiting) {
-        if (!checked) break;
-        const std::array<Term, 2> typed{atom, Term(TermKind::kSlot, scope.slot(variable))};
-        goals.push_back(add(atom_goal(store, store.list(typed), part)));
+        const std::optional<GoalIndex> typed = type_goal(part, scope.slot(variable));
+        if (typed) goals.push_back(*typed);
       }
       waiting.clear();
       type_follows = false;

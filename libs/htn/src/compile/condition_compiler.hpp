@@ -51,6 +51,7 @@ class ConditionCompiler {
   AxiomTail tail(const BranchDefinition& definition, ClauseScope& scope);
   /// Goals for `(type ?v)` of a typed list, `object` and (either …) apart; the variables go to
   /// `variables`. What is no variable, as the name of a head, is passed over.
+  std::optional<GoalIndex> type_goal(Expression type, std::uint32_t variable);
   std::vector<GoalIndex> type_goals(Expression typed_list, ClauseScope& scope,
                                     std::vector<Term>& variables);
   /// A PDDL effect on a number: (increase (name …) term) and the like; empty if it is none.

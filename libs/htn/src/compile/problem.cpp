@@ -4,13 +4,14 @@
 #include "compile/condition_compiler.hpp"
 #include "compile/expression_term.hpp"
 #include "language/problem_reader.hpp"
+#include "language/read_context.hpp"
 #include "skein/htn/domain.hpp"
 
 namespace skein::htn {
 
 namespace {
 
-constexpr int kDeepestNetwork = 500;  // the reader refuses more
+constexpr int kDeepestNetwork = kDeepestNesting;  // the reader refuses more
 
 /// Reads the tasks of a problem; variables are numbered by name.
 class NetworkReader {

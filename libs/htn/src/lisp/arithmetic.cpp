@@ -121,9 +121,14 @@ Outcome square_root(Machine& machine, Arguments arguments) {
   return machine.store().number(number->kind == NumberKind::kDouble ? real(root) : single(root));
 }
 
+Number one_of_kind(NumberKind kind) {
+  if (kind == NumberKind::kSingle) return single(1);
+  return kind == NumberKind::kDouble ? real(1) : integer(1);
+}
+
 // By squaring; the power is not negative.
 Result<Number, Failure> integer_power(Number base, std::uint64_t power) {
-  Number result = integer(1);
+  Number result = one_of_kind(base.kind);
   while (true) {
     if ((power & 1U) != 0) {
       const auto product = htn::multiply(result, base);

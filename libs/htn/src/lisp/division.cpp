@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lisp/builtins.hpp"
+#include "terms/wide_integer.hpp"
 
 namespace skein::htn::lisp {
 
@@ -33,15 +34,15 @@ double rounded(double value, Rounding rounding) {
 }
 
 // Denominators are positive.
-std::int64_t rounded(std::int64_t numerator, std::int64_t denominator, Rounding rounding) {
-  std::int64_t below = numerator / denominator;
-  std::int64_t rest = numerator % denominator;
+WideInteger rounded(WideInteger numerator, WideInteger denominator, Rounding rounding) {
+  WideInteger below = numerator / denominator;
+  WideInteger rest = numerator % denominator;
   if (rest < 0) {
     --below;
     rest += denominator;
   }
   if (rest == 0) return below;
-  const std::int64_t left = denominator - rest;
+  const WideInteger left = denominator - rest;
   const bool nearer_above = rest > left || (rest == left && (below & 1) != 0);
   const bool up = rounding == Rounding::kCeiling ||
                   (rounding == Rounding::kTruncate && numerator < 0) ||
@@ -49,14 +50,26 @@ std::int64_t rounded(std::int64_t numerator, std::int64_t denominator, Rounding 
   return up ? below + 1 : below;
 }
 
-Result<Number, Failure> to_integer(const Number& number, Rounding rounding) {
-  if (number.kind == NumberKind::kInteger || number.kind == NumberKind::kRatio) {
-    return integer(rounded(number.numerator, number.denominator, rounding));
-  }
-  const double whole = rounded(number.real, rounding);
-  if (!(whole >= -kTwoTo63 && whole < kTwoTo63)) {
-    return failure("the result is an integer beyond 64 bits");
-  }
+constexpr const char* kBeyond = "the result is an integer beyond 64 bits";
+
+bool exact(const Number& number) {
+  return number.kind == NumberKind::kInteger || number.kind == NumberKind::kRatio;
+}
+
+// Of integers and ratios; the quotient itself may be a ratio beyond 64 bits.
+Result<Number, Failure> exact_quotient(const Number& number, const Number& divisor,
+                                       Rounding rounding) {
+  if (divisor.numerator == 0) return failure("division by zero");
+  const WideInteger sign = divisor.numerator < 0 ? -1 : 1;
+  const WideInteger whole = rounded(sign * number.numerator * divisor.denominator,
+                                    sign * divisor.numerator * number.denominator, rounding);
+  if (!fits_64_bits(whole)) return failure(kBeyond);
+  return integer(static_cast<std::int64_t>(whole));
+}
+
+Result<Number, Failure> float_to_integer(double number, Rounding rounding) {
+  const double whole = rounded(number, rounding);
+  if (!(whole >= -kTwoTo63 && whole < kTwoTo63)) return failure(kBeyond);
   return integer(static_cast<std::int64_t>(whole));
 }
 
@@ -67,9 +80,10 @@ Result<Number, Failure> quotient(Machine& machine, Arguments arguments, Rounding
     }
   }
   const Number& number = *number_at(machine, arguments, 0);
-  if (arguments.size() == 1) return to_integer(number, rounding);
-  const auto divided = htn::divide(number, *number_at(machine, arguments, 1));
-  return divided ? to_integer(*divided, rounding) : divided;
+  const Number divisor = arguments.size() == 1 ? integer(1) : *number_at(machine, arguments, 1);
+  if (exact(number) && exact(divisor)) return exact_quotient(number, divisor, rounding);
+  const auto divided = htn::divide(number, divisor);
+  return divided ? float_to_integer(divided->real, rounding) : divided;
 }
 
 template <Rounding kRounding>
@@ -82,6 +96,14 @@ Outcome divide(Machine& machine, Arguments arguments) {
 // Floats: fmod is exact, where number - quotient * divisor is not.
 double float_rest(double number, double divisor, Rounding rounding) {
   const double rest = std::fmod(number, divisor);
+  const bool fix = rounding == Rounding::kFloor && rest != 0 && (rest < 0) != (divisor < 0);
+  return fix ? rest + divisor : rest;
+}
+
+// No quotient times divisor, which may lie beyond 64 bits where the rest does not.
+std::int64_t integer_rest(std::int64_t number, std::int64_t divisor, Rounding rounding) {
+  if (divisor == -1) return 0;
+  const std::int64_t rest = number % divisor;
   const bool fix = rounding == Rounding::kFloor && rest != 0 && (rest < 0) != (divisor < 0);
   return fix ? rest + divisor : rest;
 }
@@ -102,7 +124,9 @@ Outcome rest(Machine& machine, Arguments arguments) {
     const double left = float_rest(to_double(number), to_double(divisor), kRounding);
     return machine.store().number(kind == NumberKind::kDouble ? real(left) : single(left));
   }
-  if (kind == NumberKind::kInteger && divisor.numerator == -1) return machine.store().integer(0);
+  if (kind == NumberKind::kInteger) {
+    return machine.store().integer(integer_rest(number.numerator, divisor.numerator, kRounding));
+  }
   const auto whole = quotient(machine, arguments, kRounding);
   if (!whole) return tl::unexpected(whole.error());
   const auto taken = htn::multiply(*whole, divisor);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "lisp/builtins.hpp"
+#include "skein/htn/utf8.hpp"
 
 namespace skein::htn::lisp {
 
@@ -155,7 +156,7 @@ Outcome append(Machine& machine, Arguments arguments) {
 
 Outcome length(Machine& machine, Arguments arguments) {
   if (arguments[0].is(TermKind::kString)) {
-    const std::size_t size = machine.store().text(arguments[0]).size();
+    const std::size_t size = count_characters(machine.store().text(arguments[0]));
     return machine.store().integer(static_cast<std::int64_t>(size));
   }
   std::int64_t count = 0;

@@ -11,8 +11,7 @@ namespace skein::htn {
 // A sequence of steps that leaves nothing to do.
 Search::Move Search::found() {
   if (options_.following && followed_ != options_.following->steps) return Move::kBack;
-  const bool again = options_.which == Which::kFirst && options_.optimize_cost && best_ &&
-                     equal_value(*best_, cost_);
+  const bool again = options_.which == Which::kFirst && best_ && equal_value(*best_, cost_);
   const bool wanted = !again && acceptable(cost_) && keep(depth_);
   if (wanted) {
     plans.push_back(make_plan());
@@ -21,7 +20,8 @@ Search::Move Search::found() {
   return wanted && enough() ? Move::kStop : Move::kBack;
 }
 
-// Whether the plan is one of those asked for; those it supersedes go.
+// Whether the plan is one of those asked for; those it supersedes go. Where cost counts one plan is
+// kept whatever the mode: so does SHOP3, whose filter of dearer plans leaves none.
 bool Search::keep(std::uint64_t depth) {
   const bool optimizing = options_.optimize_cost || options_.which == Which::kBest;
   if (optimizing || options_.cost_limit) {

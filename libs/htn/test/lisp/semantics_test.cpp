@@ -191,6 +191,7 @@ TEST_F(LispSemantics, PropertyListsGiveTheFirstValueOfAKey) {
 
 TEST_F(LispSemantics, LengthsAreThoseOfListsAndTexts) {
   expect({{"(length \"\")", "0"},
+          {"(length \"Lousã\")", "5"},
           {"(length nil)", "0"},
           {"(length '((a b) c))", "2"},
           {"(length 'abc)", "error: 'length': argument 1 is the symbol abc, expected a list"}});
