@@ -175,6 +175,22 @@ TEST(ReaderErrors, OfItemsThatAreNoList) {
   EXPECT_EQ(ReaderFixture().read("(defdomain d nil)").error_text(), "");
 }
 
+TEST(ReaderErrors, OfDomainsWithoutANameQuoteWhatStandsThere) {
+  for (const char* const name : {"()", "5", "?d", "(5 :type x)"})
+    EXPECT_EQ(ReaderFixture().read("(defdomain " + std::string(name) + " ())").error_text(),
+              "test.lisp:1:12: " + std::string(name) +
+                  " is no name for a domain; expected a name or (name options…)\n");
+}
+
+TEST(ReaderErrors, QuoteFortyBytesAndNoHalfCharacter) {
+  const std::string most(38, 'x');
+
+  EXPECT_THAT(definition_errors("(:- (p) \"" + most + "\")"),
+              HasSubstr("\"" + most + "\" is no condition"));
+  EXPECT_THAT(definition_errors("(:- (p) \"" + most + "é\")"),
+              HasSubstr("\"" + most + "é… is no condition"));
+}
+
 TEST(ReaderErrors, OfFactsThatAreNone) {
   EXPECT_EQ(ReaderFixture().read("(defproblem p d ((a) 5) ())").error_text(),
             "test.lisp:1:22: 5 is no fact; expected (predicate arguments…)\n");
