@@ -34,6 +34,8 @@ std::string select_inputs(int version) {
          (version < 4 ? "NULL" : "sum") + " FROM inputs";
 }
 constexpr int kPatience = 1000;  ///< for somebody who reads [ms]
+/// Of the write-ahead log: then it goes into the file, at the next end of a transaction.
+constexpr std::uint64_t kPagesAhead = kLargestAhead / 4096;
 
 int flags_of(Database::Mode mode) {
   // One thread has it: no lock for each value that is read.
@@ -127,8 +129,9 @@ Database::Database(const std::string& file, Mode mode, std::uint64_t largest)
     database_.exec("PRAGMA max_page_count = " + std::to_string(largest / page + 1));
   }
   database_.exec(
-      "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
-      "PRAGMA wal_autocheckpoint = 4000;");
+      "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = " +
+      std::to_string(kPagesAhead) +
+      "; PRAGMA journal_size_limit = " + std::to_string(kLargestAhead));
   if (version() < kVersion) bring_up();
   next_ = inputs() + 1;
 }

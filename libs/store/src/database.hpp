@@ -25,6 +25,10 @@ inline constexpr int kVersion = 4;
 /// So much is folded at once: rows, or bytes of their bodies, whichever comes first.
 inline constexpr std::uint64_t kFoldedRows = 4096, kFoldedBytes = 4U << 20;
 
+/// The write-ahead log beside the file has no more than this and one transaction [bytes]; while
+/// somebody reads it grows, and is cut to this when he has read.
+inline constexpr std::uint64_t kLargestAhead = 2U << 20;
+
 /// The tables: `about` (what: value), `folds` (folding.hpp), and `inputs` after them.
 class Database {
  public:

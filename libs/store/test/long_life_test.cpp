@@ -23,7 +23,10 @@ using testing::leave_version;
 using testing::texts;
 using testing::texts_of_lives;
 
-class LongLife : public testing::StateOnDisk {};
+class LongLife : public testing::StateOnDisk {
+ protected:
+  fs::path ahead() const { return state().string() + "-wal"; }
+};
 
 /// A long life: telemetry with a plan board now and then.
 std::vector<node::LogEntry> long_life(int inputs) {
@@ -82,6 +85,38 @@ TEST_F(LongLife, ALongLifeOfVersion3IsFoldedWhenItIsOpened) {
   EXPECT_EQ(texts(*next.log).size(), 10'000U);
   EXPECT_EQ(SQLite::Database(state().string()).execAndGet("SELECT count(*) FROM folds").getInt(),
             3);
+}
+
+/// A transaction of this test: a row, or the fold of kFoldedRows.
+constexpr std::uintmax_t kTransaction = 256U << 10;
+
+TEST_F(LongLife, TheWriteAheadLogHasABound) {
+  const Opened opened = open();
+  std::uintmax_t largest = 0;
+  for (const node::LogEntry& entry : long_life(kLong)) {
+    ASSERT_TRUE(opened.log->append(entry));
+    largest = std::max(largest, fs::file_size(ahead()));
+  }
+  EXPECT_GT(largest, 100'000U);
+  EXPECT_LE(largest, kLargestAhead + kTransaction);
+}
+
+TEST_F(LongLife, WhatTheWriteAheadLogGrewByWhileSomebodyReadIsGivenBack) {
+  const std::vector<node::LogEntry> life = long_life(kLong);
+  const auto half = life.begin() + kLong / 2;
+  const Opened opened = open();
+  ASSERT_TRUE(opened.log->append(life.front()));
+  {
+    Database reader(state().string(), Database::Mode::kRead);
+    reader.raw().exec("BEGIN");
+    ASSERT_EQ(reader.inputs(), 1U);
+    for (auto entry = life.begin() + 1; entry != half; ++entry)
+      ASSERT_TRUE(opened.log->append(*entry));
+    ASSERT_GT(fs::file_size(ahead()), 2 * kLargestAhead);
+  }
+  for (auto entry = half; entry != life.end(); ++entry) ASSERT_TRUE(opened.log->append(*entry));
+
+  EXPECT_LE(fs::file_size(ahead()), kLargestAhead + kTransaction);
 }
 
 TEST_F(LongLife, AnInputThatIsMissingIsNamed) {
