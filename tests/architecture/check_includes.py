@@ -40,6 +40,7 @@ WALL_CLOCK = re.compile(r"\b(system_clock|utc_clock|CLOCK_REALTIME\w*|gettimeofd
 WALL_CLOCK_READERS = {
     "libs/node/src/daemon.cpp": "the number of an incarnation, where nothing is kept on disk",
     "daemons/daemon_main/src/memory.cpp": "the least number of an incarnation; on disk they are counted",
+    "libs/blackboard/adapters/cyclonedds/wall_clock.hpp": "compared with the steady clock: the middleware waits by it",
     "libs/blackboard/adapters/fastdds/sightings.cpp": "when a sample was heard, beside when it says that it was sent: shown",
     "cli/spy/src/doctor/machine.cpp": "compared with the steady clock: shown",
     "cli/operate/src/operate.cpp": "the number of an operator's request",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <thread>
 #include <utility>
 
 #include "qos.hpp"
@@ -104,10 +105,12 @@ bool ChannelEndpoints::write(const wire::Sample& sample) {
 }
 
 void ChannelEndpoints::flush(Clock::time_point until) {
-  for (const dds_entity_t writer : writers_) {
-    const std::chrono::nanoseconds left = until - Clock::now();
-    if (writer > 0 && left.count() > 0) dds_wait_for_acks(writer, left.count());
-  }
+  constexpr std::chrono::milliseconds kLook{5};
+  // Asked again and again: Cyclone would wait until an instant of the wall clock (WallClock).
+  for (const dds_entity_t writer : writers_)
+    while (writer > 0 && Clock::now() < until &&
+           dds_wait_for_acks(writer, 0) == DDS_RETCODE_TIMEOUT)
+      std::this_thread::sleep_for(kLook);
 }
 
 Result<void, Failure> ChannelEndpoints::made(dds_return_t code) const {

@@ -20,6 +20,7 @@
 #include "settings.hpp"
 #include "skein/blackboard/program_description.hpp"
 #include "skein/foundation/contract.hpp"
+#include "wall_clock.hpp"
 #include "writer_discovery.hpp"
 
 namespace skein::blackboard {
@@ -46,6 +47,8 @@ class CycloneDdsTransport::Impl {
   /// False: Cyclone DDS does not end, and its threads go on using this object.
   bool close();
   rtps::Links& links() { return links_; }
+  /// As often as the node looks at what came: its threads wake when the wall clock was set back.
+  void look_at_clock();
 
  private:
   void say(const std::string& line);
@@ -64,12 +67,15 @@ class CycloneDdsTransport::Impl {
   dds_entity_t domain_ = 0;  ///< owns all other entities
   dds_entity_t participant_ = 0;
   cyclonedds::Topics topics_{participant_};
+  cyclonedds::WallClock wall_clock_;
 };
 
 // Threads of Cyclone DDS wait on the wall clock: set back by a day while one waits, a deletion that
 // needs this thread takes a day (eclipse-cyclonedds/cyclonedds issue 1995, mended after 0.10).
 bool CycloneDdsTransport::Impl::close() {
+  look_at_clock();
   links_.flush();
+  look_at_clock();
   if (domain_ <= 0 || cyclonedds::returns_within(kCloses, [id = domain_] { dds_delete(id); }))
     return true;
   links_.mailbox().on_arrival({});
@@ -77,6 +83,17 @@ bool CycloneDdsTransport::Impl::close() {
     config_.log("Cyclone DDS does not end within " + to_text(kCloses) +
                 ", as when the wall clock was set back: the process goes on without it");
   return false;
+}
+
+void CycloneDdsTransport::Impl::look_at_clock() {
+  if (!wall_clock_.set_back() || participant_ <= 0) return;
+  // To delete a reliable writer is what wakes both: the thread of garbage, and that of timed
+  // events, of which the writer had one.
+  const dds_entity_t publisher =
+      dds_create_publisher(participant_, cyclonedds::partition_qos("woken").get(), nullptr);
+  dds_create_writer(publisher, topics_.of(wire::Slot::kClock).entity,
+                    cyclonedds::writer_qos(wire::Slot::kClock, ChannelKind::kWorld).get(), nullptr);
+  dds_delete(publisher);
 }
 
 void CycloneDdsTransport::Impl::say(const std::string& line) {
@@ -138,7 +155,10 @@ Result<void, Failure> CycloneDdsTransport::set_up(std::size_t channel, bool up) 
   return impl_->links().set_up(channel, up);
 }
 
-std::vector<Arrival> CycloneDdsTransport::take() { return impl_->links().take(); }
+std::vector<Arrival> CycloneDdsTransport::take() {
+  impl_->look_at_clock();
+  return impl_->links().take();
+}
 
 void CycloneDdsTransport::on_arrival(std::function<void()> notify) {
   impl_->links().mailbox().on_arrival(std::move(notify));
