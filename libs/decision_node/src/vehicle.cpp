@@ -75,6 +75,10 @@ void Vehicle::stop(functional::TaskId task) {
 std::optional<functional::Status> Vehicle::interrupt(functional::TaskId task) {
   const auto waits = std::find_if(waiting_.begin(), waiting_.end(),
                                   [&](const auto& request) { return request.id == task; });
+  if (const auto portion = merging_.stop_portions(task)) {
+    stop(*portion);
+    return std::nullopt;
+  }
   const bool waited = waits != waiting_.end() || merging_.drop(task);
   if (waits != waiting_.end()) waiting_.erase(waits);
   // What is given back while it still ends there waited for itself.

@@ -81,17 +81,17 @@ Volume column(const world::Vector2& place, double low, double high, const Margin
   return {place, place, margins.hold, low - margins.level, high + margins.level};
 }
 
-Way::Way(const std::vector<Vector3>& points, const Margins& margins)
+Way::Way(const std::vector<Vector3>& points, const Margins& margins, bool from_rest)
     : hovers_(margins.hovers), near_(std::max(kNear, margins.way / 2)) {
   SKEIN_EXPECTS(points.size() >= 2);
   std::vector<Vector3> corners = points;
-  const std::size_t narrow = leaves_narrowly(corners, margins);
+  const std::size_t narrow = from_rest ? leaves_narrowly(corners, margins) : 0;
   points_ = stretched(corners, margins.stretch);
   const bool steered = margins.steered > margins.stretch;
   way_points_ = !hovers_  ? stretched(points, margins.steered)
                 : steered ? steered_along(points, margins)
                           : points_;
-  bool rises = true;  // from where it rests
+  bool rises = from_rest;
   for (std::size_t i = 1; i < points_.size(); ++i) {
     const Vector3 &from = points_[i - 1], &to = points_[i];
     rises = rises && is_upright(from, to);
@@ -132,6 +132,13 @@ Volumes Way::left() const {
     kept += (points_[first + 1] - points_[first]).norm();
   } while (kept < behind);
   return {volumes_.begin() + static_cast<std::ptrdiff_t>(first), volumes_.end()};
+}
+
+double Way::length_left() const {
+  double length = 0;
+  for (std::size_t i = piece_ + 1; i < points_.size(); ++i)
+    length += (points_[i] - points_[i - 1]).norm();
+  return length;
 }
 
 }  // namespace skein::merging

@@ -35,8 +35,8 @@ struct Options {
   std::string save, consistency;
   bool clean = false, deaths = false, team = false, crossing = false, merged = false,
        unmerged = false, sweeps = false, meetings = false, orders = false, gatherings = false,
-       robots = false, relays = false, fires = false, hands = false, mixed = false, json = false,
-       minimise = false, verbose = false;
+       robots = false, relays = false, fires = false, hands = false, mixed = false,
+       sweepers = false, json = false, minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -70,6 +70,7 @@ Mission drawn_as_kind(std::uint64_t seed, const Options& options) {
   if (options.hands) return generate_orders(seed, kinds_of(options));
   if (options.mixed) return generate_mixed(seed, kinds_of(options));
   if (options.robots) return generate_robots(seed, kinds_of(options));
+  if (options.sweepers) return generate_sweeps(seed, kinds_of(options));
   if (options.crossing) return generate_crossing(seed, kinds_of(options));
   return options.team ? generate_team(seed, kinds_of(options)) : generate(seed, kinds_of(options));
 }
@@ -194,6 +195,8 @@ void declare(CLI::App& app, Options& options) {
       ->needs("--meetings");
   app.add_flag("--orders", options.orders, "with --meetings: at one height, ways are merged")
       ->needs("--meetings");
+  auto* sweepers = app.add_flag("--sweepers", options.sweepers,
+                                "UAVs search and map areas beside and over each other");
   auto* robots =
       app.add_flag("--robots", options.robots, "some of the vehicles keep to the ground");
   auto* relays =
@@ -206,8 +209,8 @@ void declare(CLI::App& app, Options& options) {
       app.add_flag("--mixed", options.mixed,
                    "all of it in one mission: a team, others at degree 4, vehicles on the "
                    "ground, relays, fires, operators");
-  for (auto* one : {team, crossing, meetings, robots, relays, fires, hands})
-    for (auto* other : {crossing, meetings, robots, relays, fires, hands, mixed})
+  for (auto* one : {team, crossing, sweepers, meetings, robots, relays, fires, hands})
+    for (auto* other : {crossing, sweepers, meetings, robots, relays, fires, hands, mixed})
       if (one != other) one->excludes(other);
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")

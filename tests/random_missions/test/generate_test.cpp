@@ -52,9 +52,9 @@ TEST_P(DeathsOfDaemons, AreAddedToTheSameMission) {
               AnyOf(HasSubstr("kill: karma"), HasSubstr("kill: uav"), HasSubstr("kill: ressac")));
 }
 INSTANTIATE_TEST_SUITE_P(Missions, DeathsOfDaemons,
-                         ::testing::Values(generate, generate_crossing, generate_meetings,
-                                           generate_robots, generate_relays, generate_fires,
-                                           generate_orders, generate_mixed));
+                         ::testing::Values(generate, generate_crossing, generate_sweeps,
+                                           generate_meetings, generate_robots, generate_relays,
+                                           generate_fires, generate_orders, generate_mixed));
 
 TEST(Generate, CrossingMissionsAreScenariosInWhichSomeUavsShareAPad) {
   int shared = 0;
@@ -85,6 +85,20 @@ TEST(Generate, SweepsOfCrossingMissionsChangeNothingElse) {
   }
   EXPECT_THAT(all, HasSubstr("[perform-mapping, Z"));
   EXPECT_THAT(all, HasSubstr("[perform-detection, Z"));
+}
+
+TEST(Generate, SweepingMissionsAreScenariosWithSeveralSweepsAtATime) {
+  std::string all;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Mission mission = generate_sweeps(seed, {});
+    EXPECT_THAT(problems_of(to_yaml(mission, "..")), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(to_yaml(generate_sweeps(seed, {}), ".."), to_yaml(mission, ".."));
+    EXPECT_GE(mission.zones.size(), 2U);
+    all += to_yaml(mission, "..");
+  }
+  EXPECT_THAT(all, HasSubstr("[perform-mapping, Z"));
+  EXPECT_THAT(all, HasSubstr("[perform-detection, Z"));
+  EXPECT_THAT(all, HasSubstr("[general-gotoxyz, A"));
 }
 
 TEST(Generate, MixedMissionsAreScenariosThatHaveAllOfIt) {

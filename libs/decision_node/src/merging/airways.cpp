@@ -8,7 +8,6 @@
 
 #include "path_query.hpp"
 #include "skein/elementary/parameter_reader.hpp"
-#include "skein/elementary/task_checks.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/refiners/path.hpp"
@@ -56,8 +55,8 @@ functional::Request along(functional::Request request, const Way& way) {
 }
 
 Airway flight(const functional::Request& request, const std::vector<Vector3>& points,
-              const Margins& margins, double raised) {
-  const Way way(points, margins);
+              const Margins& margins, double raised, bool from_rest = true) {
+  const Way way(points, margins, from_rest);
   return {along(request, way), way, way.volumes(), way.points().back(), raised};
 }
 
@@ -100,7 +99,7 @@ Airways flights(const functional::Request& request, const elementary::GotoTask& 
   Airways all;
   if (level != points && is_clear(level, margins.way, situation))
     all.push_back(flight(request, level, margins, 0));
-  all.push_back(flight(request, points, margins, 0));
+  all.push_back(flight(request, points, margins, 0, !situation.passing));
   if (!at_any_height) return all;
   for (int step = 1; step <= kSteps; ++step) {
     Airway higher = flight(request, raised_by(level, step * kStep), margins, step * kStep);
@@ -172,6 +171,15 @@ bool needs_air(const functional::Request& request) {
   return functional::TaskTypes::shipped().of(request.type).motion == functional::Motion::kMoves;
 }
 
+std::optional<elementary::GotoTask> flight_of(const functional::Request& request,
+                                              const MergingConfig& config,
+                                              const AirwaySituation& situation) {
+  const auto task = elementary::checked_task(request.type, request.parameters,
+                                             seen_by_vehicle(config, situation));
+  const auto* flown = task ? std::get_if<elementary::GotoTask>(&*task) : nullptr;
+  return flown != nullptr ? std::optional(*flown) : std::nullopt;
+}
+
 bool is_done_in_place(const functional::Request& request) {
   const functional::TaskType& type = functional::TaskTypes::shipped().of(request.type);
   const bool looks = type.motion == functional::Motion::kKeeps && !type.devices.empty();
@@ -223,10 +231,8 @@ merging::Volume landing_at(const Vector3& place, const Margins& margins) {
 std::optional<Airway> way_around(const functional::Request& request, const merging::Volumes& taken,
                                  const MergingConfig& config, const AirwaySituation& situation,
                                  const world::World& world) {
-  const auto task = elementary::checked_task(request.type, request.parameters,
-                                             seen_by_vehicle(config, situation));
-  const auto* flown = task ? std::get_if<elementary::GotoTask>(&*task) : nullptr;
-  if (flown == nullptr || flown->waypoints.empty()) return std::nullopt;
+  const auto flown = flight_of(request, config, situation);
+  if (!flown || flown->waypoints.empty()) return std::nullopt;
   const Margins margins = merging::margins_of(config.model, config.wind, flown->speed);
   const Vector3 from = start_of(situation, margins);
   refiners::PathQuery query =

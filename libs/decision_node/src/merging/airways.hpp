@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "skein/decision_node/config.hpp"
+#include "skein/elementary/task_checks.hpp"
 #include "skein/foundation/result.hpp"
 #include "skein/functional/port.hpp"
 #include "skein/merging/way.hpp"
@@ -32,6 +33,7 @@ struct AirwaySituation {
   world::VehicleState state;
   std::optional<world::Vector3> rest;  ///< where it holds or circles
   bool aside = false;                  ///< it is there because it got out of the way
+  bool passing = false;                ///< it comes to `rest` in flight, and flies on
   std::vector<world::Volume> volumes;  ///< no-fly
   MissionTime now;
 };
@@ -41,6 +43,11 @@ AirwaySituation resting_at(AirwaySituation situation, const world::Vector3& plac
 
 /// Does the motion move the vehicle, so that it needs air?
 bool needs_air(const functional::Request& request);
+
+/// Of a flight; nothing: it is none, or the vehicle cannot.
+std::optional<elementary::GotoTask> flight_of(const functional::Request& request,
+                                              const MergingConfig& config,
+                                              const AirwaySituation& situation);
 
 /// It lands, or looks, where the vehicle is.
 bool is_done_in_place(const functional::Request& request);

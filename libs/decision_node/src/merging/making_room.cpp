@@ -177,8 +177,17 @@ Airways Merging::places_aside(const merging::Volumes& taken, const std::vector<d
 std::optional<world::Vector3> Merging::way_home_begins() const {
   if (!merger_ || merger_->can_ask() || home_.choices().empty()) return std::nullopt;
   const bool flies = flown_ && !flown_->over && flown_->airway.way;
-  const bool of_a_task = flies && flown_->airway.request.id < kFirstAside;
+  const bool of_a_task = flies && (flies_portion() || flown_->airway.request.id < kFirstAside);
   return of_a_task ? flown_->airway.end : std::nullopt;
+}
+
+std::function<bool(const world::Vector3&)> Merging::free_to_stay() const {
+  if (!merger_) return {};
+  return [ends = merger_->ends(), margins = margins_](const world::Vector3& place) {
+    merging::Volume air = stay_at(place, margins);
+    air.radius = margins.way;
+    return !overlap({air}, ends);
+  };
 }
 
 }  // namespace skein::decision_node

@@ -99,6 +99,10 @@ bool Merging::takes(const functional::Request& request) {
   // Whoever asks for it once more, as another executive that takes it over does, is told by the
   // vehicle how far it is.
   if (!merger_ || (flown_ && flown_->flies(request.id))) return false;
+  if (flies_portion() && portions_->task() == request.id) {
+    if (portions_->running) core_.post_status({request.id, functional::TaskState::kRunning, ""});
+    return true;
+  }
   if (waiting_ && waiting_->makes_room) stop_waiting();
   if (waiting_ && waiting_->request.id == request.id) {
     say_it_has_begun();
@@ -112,12 +116,22 @@ bool Merging::takes(const functional::Request& request) {
   }
   const bool once_there = flown_ && flown_->is_waited_for_by(request);
   if (!needs_air(request) && !once_there && !is_to_come_back(request)) return false;
-  waiting_.emplace();
-  waiting_->request = request;
-  waiting_->since = waiting_->said = core_.bus().now();
-  waiting_->looks_around = waiting_->since + kLooksAround;
+  wait_for(request);
   ask();
   return true;
+}
+
+void Merging::wait_for(functional::Request request) {
+  waiting_.emplace();
+  waiting_->request = std::move(request);
+  waiting_->since = waiting_->said = core_.bus().now();
+  waiting_->looks_around = waiting_->since + kLooksAround;
+}
+
+/// A portion of a sweep is flown as it is.
+bool Merging::may_be_raised(bool asked_long) const {
+  const bool portion = portions_ && portions_->task() == waiting_->request.id;
+  return !portion && at_any_height(core_, waiting_->request, asked_long);
 }
 
 bool Merging::Flown::is_waited_for_by(const functional::Request& request) const {
@@ -128,6 +142,7 @@ bool Merging::Flown::is_waited_for_by(const functional::Request& request) const 
 bool Merging::drop(functional::TaskId task) {
   if (!waiting_ || waiting_->request.id != task) return false;
   stop_waiting();
+  portions_.reset();
   place_.reset();  // what comes next is planned from where it is
   return true;
 }
@@ -165,9 +180,9 @@ void Merging::ask() {
     waiting_.reset();
     return core_.vehicle().begin(std::move(request));
   }
-  auto airways =
-      airways_of(waiting_->request, at_any_height(core_, waiting_->request, waiting_->asked_long),
-                 *core_.config().merging, situation());
+  cut();
+  auto airways = airways_of(waiting_->request, may_be_raised(waiting_->asked_long),
+                            *core_.config().merging, situation());
   if (!airways) return cannot_fly(airways.error().why);
   for (Airway& home : home_.flights(waiting_->request, rest_)) airways->push_back(std::move(home));
   waiting_->why_not.clear();
@@ -195,13 +210,15 @@ void Merging::want(Airways airways, merging::Volumes afterwards) {
 void Merging::refuse(std::string why, functional::AbortCause cause) {
   const functional::TaskId task = waiting_->request.id;
   stop_waiting();
+  portions_.reset();
   core_.post_status({task, functional::TaskState::kAborted, std::move(why), cause});
 }
 
 void Merging::begin(const Airway& airway, const std::string& state) {
   note(state, &airway);
-  flown_ = Flown{airway, false, false};
   const bool aside = waiting_->aside_since.has_value();
+  flown_ = Flown{airway, false, false};
+  if (!aside && !waiting_->comes_back) take_portion(flown_->airway.request);
   if (aside && !place_) place_ = rest_;
   if (!aside && !waiting_->comes_back) place_.reset();
   rest_.reset();
@@ -214,15 +231,18 @@ void Merging::begin(const Airway& airway, const std::string& state) {
     waiting_->noted_for.clear();
   }
   hold();
-  core_.vehicle().begin(airway.request);
+  core_.vehicle().begin(flown_->airway.request);
 }
 
 bool Merging::told(const functional::Status& status) {
   if (!merger_) return false;
+  const bool of_portion = portions_ && portions_->flown == status.id;
+  if (of_portion && !functional::is_terminal(status.state)) portion_runs(status);
   if (flown_ && flown_->airway.request.id == status.id && functional::is_terminal(status.state)) {
     flown_->over = true;
     flown_->ended = status.state == functional::TaskState::kEnded;
     come_to_rest();
+    if (of_portion) portion_over(status);
     if (waiting_ && waiting_->airways.empty()) ask();
   }
   return is_aside(status.id);
@@ -237,9 +257,8 @@ void Merging::vehicle_told(const world::Telemetry& telemetry) {
   has_seen_ = true;
   const bool airborne = telemetry.state.airborne;
   if (first && airborne) rest_ = telemetry.state.position;
-  if (airborne && flown_ && !flown_->over && flown_->airway.way &&
-      flown_->airway.way->passed(telemetry.state.position))
-    hold();
+  if (airborne && flown_ && !flown_->over && flown_->passed(telemetry.state.position)) hold();
+  ask_ahead();
   come_to_rest();
   look_for_room();
   if (!waiting_) return;
@@ -272,13 +291,13 @@ void Merging::come_to_rest() {
 
 void Merging::hold() {
   merging::Volumes air;
-  if (flown_ && flown_->airway.way) {
-    air = flown_->airway.way->left();
-  } else if (flown_) {
-    air = flown_->airway.air;
+  if (flown_) {
+    air = flown_->air();
   } else if (rest_) {
     air = {stay_at(*rest_, margins_)};
   }
+  if (portions_ && portions_->ahead)
+    air.insert(air.end(), portions_->ahead->air.begin(), portions_->ahead->air.end());
   if (air != merger_->held()) give(merging::Hold{std::move(air)});
   const auto rest = flown_ && !flown_->over ? flown_->airway.end : rest_;
   if (!home_.is_new(rest)) return;
@@ -294,9 +313,7 @@ void Merging::look_for_way_around() {
   if (!from || core_.bus().now() < *from) return;
   waiting_->looks_around = core_.bus().now() + kLooksAround;
   const bool could = seen_.state.airborne && core_.deliberation().possible();
-  if (!could || merger_->awaited().empty() ||
-      !at_any_height(core_, waiting_->request, waiting_->asked_long))
-    return;
+  if (!could || merger_->awaited().empty() || !may_be_raised(waiting_->asked_long)) return;
   auto airways = airways_of(waiting_->request, true, *core_.config().merging, situation());
   if (!airways || airways->empty()) return;
   const merging::Volumes taken = merger_->taken();
@@ -316,6 +333,7 @@ void Merging::look_at_energy() {
   const Deliberation& deliberation = core_.deliberation();
   if (!waiting_ || waiting_->airways.empty() || waiting_->aside_since || !seen_.state.airborne)
     return;
+  if (flies_portion()) return;
   if (core_.bus().now() < waiting_->since + kUnasked || core_.config().knowledge == nullptr) return;
   if (!supervisor::must_come_home(seen_.state.energy, *core_.config().knowledge,
                                   *deliberation.world(), core_.bus().now(), seen_.state.position))
@@ -338,6 +356,7 @@ void Merging::note_waits() {
 }
 
 void Merging::say_it_waits() {
+  if (flies_portion()) return;
   if (waiting_) note_waits();
   const bool asks = waiting_ && !waiting_->airways.empty();
   const auto longest = asks ? longest_wait(core_, waiting_->request) : std::nullopt;
@@ -350,6 +369,7 @@ void Merging::say_it_waits() {
 
 void Merging::say_it_has_begun() {
   waiting_->said = core_.bus().now();
+  if (portions_ && portions_->running) return;
   core_.post_status({waiting_->request.id, functional::TaskState::kStarted, "waits for its air"});
 }
 
@@ -362,14 +382,14 @@ void Merging::time_passes() {
   if (const auto from = waiting_ ? waiting_->rises_from() : std::nullopt;
       from && core_.bus().now() >= *from)
     ask();
-  look_for_way_around();
+  if (!flies_portion()) look_for_way_around();
   give(merging::Tick{});
 }
 
 std::optional<MissionTime> Merging::next_wakeup() const {
   if (!merger_) return std::nullopt;
   std::optional<MissionTime> next = merger_->next_wakeup();
-  if (!waiting_) return next;
+  if (!waiting_ || flies_portion()) return next;
   next = earliest(next, waiting_->said + kSaidAgain);
   next = earliest(next, waiting_->rises_from());
   next = earliest(next, waiting_->looks_around_from());
@@ -417,9 +437,11 @@ void Merging::give(const merging::Input& input) {
 void Merging::tell_orders() {
   supervisor::AirOrders seen;
   seen.uav = core_.config().uav;
-  if (waiting_) seen.for_others = merger_->awaited();
+  const bool has_begun = portions_ && portions_->running;
+  if (waiting_ && !has_begun) seen.for_others = merger_->awaited();
   if (!seen.for_others.empty()) seen.waits = waiting_->request.id;
-  if (flown_ && !flown_->over) seen.flies = flown_->airway.request.id;
+  if (flown_ && !flown_->over)
+    seen.flies = flies_portion() ? portions_->task() : flown_->airway.request.id;
   for (const merging::Merger::Waiter& one : merger_->waiters())
     (one.for_its_place ? seen.for_its_place : seen.for_its_way).push_back(one.peer);
   if (seen == orders_) return;
@@ -433,6 +455,7 @@ void Merging::carry_out(const merging::Tell& tell) {
 
 void Merging::carry_out(const merging::Granted& granted) {
   if (!waiting_ || granted.choice >= waiting_->airways.size()) return;
+  if (flies_portion()) return had_ahead(Airway(waiting_->airways[granted.choice]));
   const char* state = waiting_->aside_since ? "aside" : waiting_->comes_back ? "back" : "had";
   begin(Airway(waiting_->airways[granted.choice]), state);
 }
@@ -446,23 +469,17 @@ void Merging::carry_out(const merging::Waits& waits) {
     waiting_->waits_for = std::move(now_for);
     waiting_->in_its_way = merger_->in_its_way();
   }
-  note_waits();
-}
-
-std::function<bool(const world::Vector3&)> Merging::free_to_stay() const {
-  if (!merger_) return {};
-  return [ends = merger_->ends(), margins = margins_](const world::Vector3& place) {
-    merging::Volume air = stay_at(place, margins);
-    air.radius = margins.way;
-    return !overlap({air}, ends);
-  };
+  if (!flies_portion()) note_waits();
 }
 
 // ---- what it knows ----
 
 AirwaySituation Merging::situation() const {
   const bool believes = core_.deliberation().possible();
-  return {seen_.state, rest_, waiting_ && waiting_->was_aside,
+  return {seen_.state,
+          rest_,
+          waiting_ && waiting_->was_aside,
+          false,
           believes ? core_.deliberation().world()->volumes : core_.config().merging->volumes,
           core_.bus().now()};
 }

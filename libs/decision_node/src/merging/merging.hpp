@@ -10,6 +10,7 @@
 #include "component.hpp"
 #include "merging/airways.hpp"
 #include "merging/home_air.hpp"
+#include "merging/portions.hpp"
 #include "skein/merging/merger.hpp"
 
 namespace skein::decision_node {
@@ -33,6 +34,9 @@ class Merging final : public Component {
   bool takes(const functional::Request& request);
   /// A motion that waits here does so no more. False: it does not wait here.
   bool drop(functional::TaskId task);
+  /// The motion ends with what the vehicle flies of it now: that is to be stopped, under this
+  /// number. Nothing: the vehicle flies no portion of it.
+  std::optional<functional::TaskId> stop_portions(functional::TaskId task);
   /// Of what was asked of the vehicle. True: nobody else is to hear of it.
   bool told(const functional::Status& status);
   /// There it could come and stay beside others, wherever they stay or will.
@@ -80,7 +84,12 @@ class Merging final : public Component {
   struct Flown {
     Airway airway;
     bool over = false, ended = false;
+    /// Of the portion before, which it came from in flight, until it has left some of this one.
+    merging::Volumes behind = {};
 
+    merging::Volumes air() const;
+    /// True: it has left more of its way.
+    bool passed(const world::Vector3& position);
     bool flies(functional::TaskId task) const { return !over && airway.request.id == task; }
     /// What it flew aside for is given up, and this needs it to stand still: once it is there.
     bool is_waited_for_by(const functional::Request& request) const;
@@ -99,6 +108,16 @@ class Merging final : public Component {
   void note_waits();
   void say_it_waits();
   void say_it_has_begun();
+  void wait_for(functional::Request request);
+  bool may_be_raised(bool asked_long) const;
+  void cut();
+  void ask_ahead();
+  void had_ahead(Airway airway);
+  void fly_on();
+  void take_portion(functional::Request& flight);
+  void portion_runs(const functional::Status& status);
+  void portion_over(const functional::Status& status);
+  bool flies_portion() const;
   void cannot_fly(const std::string& why);
   void refuse(std::string why, functional::AbortCause cause = functional::AbortCause::kOther);
   void come_to_rest();
@@ -123,6 +142,7 @@ class Merging final : public Component {
   std::optional<world::Vector3> rest_;  ///< where it holds or circles in the air
   std::optional<Flown> flown_;
   std::optional<Waiting> waiting_;
+  std::optional<Portions> portions_;  ///< of the motion that is flown, or waits
   std::optional<world::Vector3>
       place_;  ///< where it got out of the way from, and did not come back
   std::optional<MissionTime> room_since_;   ///< another one wants to go where it stays, since then

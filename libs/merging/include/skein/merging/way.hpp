@@ -21,7 +21,9 @@ class Way {
   Way() = default;
   /// Precondition: at least two points, the first one where the flight begins. Long legs are cut
   /// into pieces, and get additional way-points where wind would carry the vehicle too far off.
-  Way(const std::vector<world::Vector3>& points, const Margins& margins);
+  /// `from_rest`: the vehicle holds at the first point, so the first leg is left narrowly; else it
+  /// arrives there in flight.
+  Way(const std::vector<world::Vector3>& points, const Margins& margins, bool from_rest = true);
 
   /// The beginnings of the pieces, and the end of the flight.
   const std::vector<world::Vector3>& points() const { return points_; }
@@ -35,6 +37,10 @@ class Way {
   /// blown back) and of all after it. A vehicle that cannot hover keeps twice the width of its way
   /// behind it, since it turns back to way-points that it missed.
   Volumes left() const;
+  /// The length [m] from the beginning of the piece being flown to the end.
+  double length_left() const;
+  /// True: no piece has been given back yet.
+  bool is_whole() const { return left().size() == volumes_.size(); }
 
  private:
   std::vector<world::Vector3> points_, way_points_;

@@ -41,6 +41,10 @@ Mission generate_team(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to eight UAVs at degree 4 whose ways cross, with wind, some from shared pads; of
 /// the kinds, radio, deaths, merged and sweeps count.
 Mission generate_crossing(std::uint64_t seed, const Kinds& kinds);
+/// Likewise two to four UAVs at degree 4 that search or map areas beside or over each other for
+/// minutes, most at one height, and up to two that fly through; of the kinds, radio, deaths and
+/// merged count.
+Mission generate_sweeps(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to five UAVs at degree 4 that meet each other, with wind; of the kinds, deadlines,
 /// radio, deaths, faults (two who wait for each other for ever), consistency, gatherings and orders
 /// count.
