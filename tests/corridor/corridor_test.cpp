@@ -123,6 +123,53 @@ TEST_P(Corridor, HoldsTheVehicleOnItsWayAndWhereItEnds) {
   }
 }
 
+/// Lanes side by side, flown to and fro.
+std::vector<Vector3> lanes(Random& random) {
+  const double length = random.uniform(80, 250), apart = random.uniform(15, 60);
+  std::vector<Vector3> points;
+  for (int i = 0; i < 6; ++i) {
+    const double x = 30 + apart * i, far = 10 + length;
+    points.emplace_back(x, i % 2 == 0 ? 10 : far, 60);
+    points.emplace_back(x, i % 2 == 0 ? far : 10, 60);
+  }
+  return points;
+}
+
+// What it keeps of the portion before it gives back once it has left some of the next.
+TEST_P(Corridor, HoldsTheVehicleThatFliesOnFromPortionToPortion) {
+  for (int seed = 1; seed <= sorties(); ++seed) {
+    Random random(static_cast<std::uint64_t>(seed), "corridor of portions");
+    Sortie sortie = drawn(GetParam(), random);
+    Flight flight(sortie.config);
+    flight.dispatch(sortie.name, 1, "takeoff", testing::altitude(60));
+    for (int i = 0; i < 200 && !flight.terminal(1); ++i) flight.run_for(1);
+    flight.run_for(30);
+    std::vector<Vector3> points = lanes(random);
+    points.insert(points.begin(), {0, 10, 60});
+    const auto cut = static_cast<std::ptrdiff_t>(2 + random.below(points.size() - 4));
+    const std::vector<std::vector<Vector3>> portions{{points.begin(), points.begin() + cut + 1},
+                                                     {points.begin() + cut, points.end()}};
+    Volumes behind;
+    double worst = -1e9;
+    for (std::size_t n = 0; n < portions.size(); ++n) {
+      merging::Way along(portions[n], sortie.margins, n == 0);
+      std::vector<Vector3> sent(along.way_points().begin() + 1, along.way_points().end());
+      flight.dispatch(sortie.name, 2 + n, "goto", way(sent));
+      for (int i = 0; i < 9000 && !flight.terminal(2 + n); ++i) {
+        Volumes held = along.left();
+        if (along.is_whole()) held.insert(held.end(), behind.begin(), behind.end());
+        flight.run_for(0.1);
+        const Vector3 at = flight.state(sortie.name).position;
+        worst = std::max(worst, outside(held, at, sortie.share));
+        if (i % 10 == 0) along.passed(at);
+      }
+      ASSERT_EQ(flight.history(2 + n), "running ended") << "seed " << seed;
+      behind = along.left();
+    }
+    EXPECT_LT(worst, 0) << "seed " << seed;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(OfEachVehicle, Corridor, ::testing::Values("marvin", "heliv", "karma"));
 
 }  // namespace

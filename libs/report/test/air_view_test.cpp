@@ -52,6 +52,24 @@ TEST(AirView, TheMapHasEachReservationForItsTime) {
   EXPECT_EQ(count(page, "uav1 has up to 50 m: 8 land"), 1U);
 }
 
+constexpr const char* kPortions =
+    R"({"at":5,"node":"uav1","kind":"air","uav":"uav1","task":7,"type":"goto","state":"had","waited":0,"air":[0,0,100,0,20,30,50,100,0,100,0,10,30,50]}
+{"at":9,"node":"sim","kind":"task","uav":"uav1","task":7,"type":"goto","state":"scheduled"}
+{"at":20,"node":"uav1","kind":"air","uav":"uav1","task":7,"type":"goto","state":"ahead","waited":0,"air":[100,0,200,0,20,30,50,200,0,200,0,10,30,50]}
+{"at":30,"node":"uav1","kind":"air","uav":"uav1","task":7,"type":"goto","state":"had","waited":0,"air":[100,0,200,0,20,30,50,200,0,200,0,10,30,50]}
+{"at":40,"node":"sim","kind":"task","uav":"uav1","task":7,"type":"goto","state":"ended"}
+)";
+
+TEST(AirView, TheNextPortionOfASweepIsOnTheMapBesideTheOneThatIsFlown) {
+  const std::string log = std::string(kFlight) + kPortions;
+  const std::string page = html_report({}, testing::salvage(log).journal);
+
+  EXPECT_EQ(count(page, R"(data-from="5" data-to="30")"), 1U) << "the first, while it is flown";
+  EXPECT_EQ(count(page, R"(data-from="20" data-to="30")"), 1U) << "the second, ahead";
+  EXPECT_EQ(count(page, R"(data-from="30" data-to="40")"), 1U) << "the second, while it is flown";
+  EXPECT_EQ(count(page_of_timeline(log), "class=\"joint-running\""), 2U) << "a bar for each";
+}
+
 TEST(AirView, WithoutMergingThereIsNothing) {
   EXPECT_EQ(count(page_of_timeline(kFlight), "Air of ways"), 0U);
 }

@@ -75,7 +75,7 @@ std::optional<Portions> Portions::of(const functional::Request& flight,
   Points points{from};
   points.insert(points.end(), task.waypoints.begin(), task.waypoints.end());
   Portions all;
-  all.next_ = flight;
+  all.whole_ = flight;
   all.speed_ = task.speed;
   all.parts_ = left_for_good(parts_of(points, task.speed), width);
   return all.parts_.size() > 1 ? std::optional(std::move(all)) : std::nullopt;
@@ -85,9 +85,9 @@ functional::Request Portions::next(const std::optional<Vector3>& by) const {
   SKEIN_EXPECTS(taken_ < parts_.size());
   std::vector<Vector3> points = parts_[taken_];
   if (by) points.insert(points.begin(), *by);
-  functional::Request request = next_;
+  functional::Request request = whole_;
   request.parameters = functional::Parameters{elementary::points_parameter("waypoints", points)};
-  for (const functional::Parameter& one : next_.parameters.all())
+  for (const functional::Parameter& one : whole_.parameters.all())
     if (one.name != "waypoints") request.parameters.add(one);
   return request;
 }

@@ -56,7 +56,7 @@ void Merging::ask_ahead() {
 
 void Merging::had_ahead(Airway airway) {
   waiting_->since = core_.bus().now();
-  note("had", &airway);
+  note("ahead", &airway);
   portions_->ahead = std::move(airway);
   waiting_.reset();
   hold();
@@ -80,6 +80,7 @@ void Merging::portion_over(const functional::Status& status) {
 
 void Merging::fly_on() {
   Airway next = *std::exchange(portions_->ahead, std::nullopt);
+  core_.bus().emit(AirNoted{portions_->task(), next.request.type, "had", {}, 0, {}, next.air});
   merging::Volumes behind;
   if (flown_) behind = flown_->air();
   if (rest_) behind = {stay_at(*rest_, margins_)};

@@ -15,8 +15,10 @@ namespace {
 using executive::TaskState;
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using testing::give_sweep;
 using testing::goto_of;
 using ::testing::IsEmpty;
+using testing::last_had;
 using testing::MergedTeam;
 using ::testing::SizeIs;
 using testing::takeoff_of;
@@ -27,23 +29,8 @@ std::vector<std::string> states(const std::vector<AirNoted>& notes) {
   return result;
 }
 
-const AirNoted& last_had(const std::vector<AirNoted>& notes) {
-  return *std::find_if(notes.rbegin(), notes.rend(),
-                       [](const AirNoted& one) { return one.state == "had"; });
-}
-
 // Along y = 0, one from each side, at one height.
 MergedTeam opposite() { return MergedTeam({{"marvin", {-100, 0, 40}}, {"heliv", {100, 0, 40}}}); }
-
-// A goto that something is looked at along.
-void give_sweep(MergedTeam& team, const std::string& uav, executive::Start motion) {
-  executive::Start look = testing::start_of(motion.task.id.value() + 1, "takeshot");
-  look.task.preconditions = {{{executive::TaskInState{motion.task.id, TaskState::kRunning}}}};
-  motion.task.preconditions = {{{executive::MessageReceived{"go"}}}};
-  team.command(uav, motion);
-  team.command(uav, look);
-  team.command(uav, executive::ProcessMessage{"go"});
-}
 
 TEST(Merging, AWayThroughFreeAirIsFlownAtOnce) {
   MergedTeam team = opposite();
@@ -481,114 +468,6 @@ TEST(Merging, WhatTheVehicleCannotDoIsRefusedWithItsReasons) {
   ASSERT_TRUE(team.is_over("heliv", 7));
   EXPECT_EQ(team.events("heliv").back().reason,
             "goto before takeoff: the vehicle is on the ground");
-}
-
-/// Lanes of 300 m to the north and back, 40 m beside each other, from where marvin stands.
-std::vector<double> lanes(int count) {
-  std::vector<double> points;
-  for (int i = 0; i < count; ++i) {
-    const double x = 40.0 * i;
-    const double first = i % 2 == 0 ? 0 : 300;
-    for (const double one : {x, first, 40.0, x, 300 - first, 40.0}) points.push_back(one);
-  }
-  return points;
-}
-
-MergedTeam over_lanes(const std::string& sweeper = "marvin") {
-  return MergedTeam({{sweeper, {0, 0, 40}}, {"heliv", {280, -60, 40}}});
-}
-
-TEST(Merging, ASweepHasTheAirOfAPortionOnlyAndOthersFlyThroughTheRest) {
-  MergedTeam team = over_lanes();
-  give_sweep(team, "marvin", goto_of(3, lanes(8)));
-  team.run(5);
-  team.command("heliv", goto_of(7, {280, 360, 40}));
-  team.run(60);
-  EXPECT_TRUE(team.is_over("heliv", 7));
-  EXPECT_FALSE(team.is_over("marvin", 3));
-  EXPECT_EQ(last_had(team.notes("heliv")).raised, 0);
-  team.run(300);
-  EXPECT_TRUE(team.is_over("marvin", 3));
-}
-
-TEST(Merging, ASweepInPortionsIsOneMotionToItsExecutive) {
-  MergedTeam team = over_lanes();
-  give_sweep(team, "marvin", goto_of(3, lanes(8)));
-  team.run(330);
-  EXPECT_THAT(team.begun("marvin"), SizeIs(::testing::Gt(3U)));
-  std::vector<TaskState> states;
-  for (const executive::TaskEvent& one : team.events("marvin"))
-    if (one.id == functional::TaskId(3)) states.push_back(one.state);
-  EXPECT_THAT(states, ElementsAre(TaskState::kScheduled, TaskState::kStarted, TaskState::kRunning,
-                                  TaskState::kEnded));
-}
-
-TEST(Merging, ASweepThroughFreeAirNeverStops) {
-  for (const std::string sweeper : {"marvin", "blimp"}) {
-    MergedTeam team = over_lanes(sweeper);
-    give_sweep(team, sweeper, goto_of(3, lanes(8)));
-    team.run(2);
-    int stops = 0;
-    for (int tenths = 0; tenths < 2600; ++tenths) {
-      team.run(0.1);
-      stops += team.state(sweeper).velocity.norm() < 0.1 ? 1 : 0;
-    }
-    EXPECT_LE(stops, 6) << sweeper;  // tenths of a second: a status, and the next portion
-  }
-}
-
-TEST(Merging, ASweepWaitsBetweenTwoPortionsForWhoStaysInTheNext) {
-  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {200, 150, 40}}});
-  give_sweep(team, "marvin", goto_of(3, lanes(8)));
-  team.run(300);
-  EXPECT_FALSE(team.is_over("marvin", 3));
-  EXPECT_THAT(team.notes("marvin").back().waits_for, ElementsAre("heliv to leave"));
-  EXPECT_LT(team.state("marvin").position.x(), 200 - 2);
-  team.command("heliv", goto_of(7, {200, 450, 40}));
-  team.run(200);
-  EXPECT_TRUE(team.is_over("marvin", 3));
-  EXPECT_NEAR(team.state("marvin").position.x(), 280, 0.5);
-}
-
-TEST(Merging, ASweepThatIsInterruptedInAPortionStopsThere) {
-  MergedTeam team = over_lanes();
-  give_sweep(team, "marvin", goto_of(3, lanes(8)));
-  team.run(20);
-  team.command("marvin", executive::Abort{functional::TaskId(3)});
-  team.run(5);
-  EXPECT_TRUE(team.is_over("marvin", 3));
-  EXPECT_EQ(team.events("marvin").back().state, TaskState::kAborted);
-  EXPECT_LT(team.state("marvin").velocity.norm(), 0.1);
-  const auto flights = team.begun("marvin").size();
-  team.run(100);
-  EXPECT_EQ(team.begun("marvin").size(), flights);
-}
-
-TEST(Merging, ASweepThatIsInterruptedBetweenTwoPortionsEnds) {
-  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {200, 150, 40}}});
-  give_sweep(team, "marvin", goto_of(3, lanes(8)));
-  team.run(300);
-  team.command("marvin", executive::Abort{functional::TaskId(3)});
-  team.run(1);
-  EXPECT_TRUE(team.is_over("marvin", 3));
-  team.command("heliv", goto_of(7, {200, 450, 40}));
-  team.run(60);
-  EXPECT_LT(team.state("marvin").position.x(), 200 - 2);
-}
-
-// Marvin's lanes lead over where heliv waits for its own, and the reverse.
-TEST(Merging, TwoSweepsThatWaitForEachOtherGetOutOfEachOthersWay) {
-  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {280, 0, 40}}}, 4);
-  give_sweep(team, "marvin", goto_of(3, lanes(8)));
-  std::vector<double> back;
-  const std::vector<double> all = lanes(8);
-  for (std::size_t i = all.size(); i >= 3; i -= 3)
-    back.insert(back.end(), all.begin() + static_cast<std::ptrdiff_t>(i) - 3,
-                all.begin() + static_cast<std::ptrdiff_t>(i));
-  give_sweep(team, "heliv", goto_of(7, back));
-  team.run(900);
-  EXPECT_TRUE(team.is_over("marvin", 3));
-  EXPECT_TRUE(team.is_over("heliv", 7));
 }
 
 }  // namespace

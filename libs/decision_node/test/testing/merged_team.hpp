@@ -288,4 +288,21 @@ class MergedTeam {
   std::uint64_t commands_ = 0;
 };
 
+/// The note of the air that it was granted last for a motion.
+inline const AirNoted& last_had(const std::vector<AirNoted>& notes) {
+  return *std::find_if(notes.rbegin(), notes.rend(),
+                       [](const AirNoted& one) { return one.state == "had"; });
+}
+
+/// A goto along which something is looked at.
+inline void give_sweep(MergedTeam& team, const std::string& uav, executive::Start motion) {
+  executive::Start look = start_of(motion.task.id.value() + 1, "takeshot");
+  look.task.preconditions = {
+      {{executive::TaskInState{motion.task.id, executive::TaskState::kRunning}}}};
+  motion.task.preconditions = {{{executive::MessageReceived{"go"}}}};
+  team.command(uav, motion);
+  team.command(uav, look);
+  team.command(uav, executive::ProcessMessage{"go"});
+}
+
 }  // namespace skein::decision_node::testing

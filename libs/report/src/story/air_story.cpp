@@ -33,20 +33,24 @@ std::vector<AirPiece> pieces_of(const std::vector<double>& air) {
 
 std::vector<AirUse> tell_air(const Journal& journal, const Chronology& story) {
   std::vector<AirUse> uses;
-  std::map<std::size_t, std::size_t> last;
+  std::map<std::size_t, std::size_t> last, ahead;
   for (const auto& [stamp, line] : journal.air) {
     const double t = seconds(stamp);
     const auto uav = story.uav_index(line.uav);
     if (!uav) continue;
-    if (const auto before = last.find(*uav); before != last.end()) {
+    const bool is_ahead = line.state == "ahead";  // what it flies it has beside that
+    for (auto* open : {&ahead, &last}) {
+      const auto before = open->find(*uav);
+      if (before == open->end() || (is_ahead && open == &last)) continue;
       Span& span = uses[before->second].span;
       span.to = std::min(span.to, t);
     }
+    ahead.erase(*uav);
     if (line.state == "given-up") {
       last.erase(*uav);
       continue;
     }
-    last[*uav] = uses.size();
+    (is_ahead ? ahead : last)[*uav] = uses.size();
     const double raised = line.raised.value_or(0);
     uses.push_back({*uav,
                     {t, std::max(t, end_of(story, *uav, line.task))},

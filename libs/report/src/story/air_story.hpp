@@ -20,7 +20,7 @@ struct AirPiece {
 struct AirUse {
   std::size_t uav = 0;
   Span span;
-  std::string state;  ///< waits, had, aside, unasked
+  std::string state;  ///< waits, had, aside, unasked; ahead: beside what it flies
   std::string what;   ///< "7 goto"
   std::string why;    ///< whom it waits for, or how much higher it flies
   std::vector<AirPiece> pieces;

@@ -60,7 +60,7 @@ void draw_air_rows(Sheet& sheet) {
   for (std::size_t uav = 0; uav < sheet.run.story.uavs.size(); ++uav) {
     bool first = true;
     for (const AirUse& one : uses) {
-      if (one.uav != uav) continue;
+      if (one.uav != uav || one.state == "ahead") continue;
       if (std::exchange(first, false))
         sheet.row_name(sheet.y + kAirBand - 4, sheet.run.story.uavs[uav].name);
       draw_use(sheet, one);
