@@ -255,6 +255,16 @@ TEST_F(Verbs, ListOfMismatchesNamesTheTwoAndThePolicy) {
   EXPECT_THAT(out_.str(), Not(HasSubstr("Clock")));
 }
 
+TEST_F(Verbs, ListOfMismatchesSaysThatThereAreNone) {
+  domain().joins("sim").joins("tool").writes("sim", Slot::kClock).reads("tool", Slot::kClock);
+  options_.mismatch = true;
+
+  EXPECT_EQ(run(show_topics), kExitOk);
+
+  EXPECT_EQ(out_.str(), "");
+  EXPECT_EQ(err_.str(), "no topic with types or QoS that do not fit among 2 endpoints\n");
+}
+
 TEST_F(Verbs, NodesAreListedWithWhatIsKnownOfThem) {
   domain()
       .node("ground", 1, wire::Role::kGround)

@@ -99,6 +99,7 @@ std::string sentence(const Record& record, std::set<std::string>& said) {
     if (word.empty() && !text.empty() && text.back() == ' ') text.pop_back();
     text += word;
     rest.remove_prefix(close + 1);
+    if (word.empty() && text.ends_with(':') && rest.starts_with(':')) rest.remove_prefix(1);
   }
   return text;
 }

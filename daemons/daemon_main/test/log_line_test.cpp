@@ -57,6 +57,12 @@ TEST(LogLine, OfAKindWithoutASentenceTellsEveryField) {
 TEST(LogLine, LeavesOutPlacesOfFieldsThatAreNotThere) {
   EXPECT_EQ(log_line(record("request").with("request", "UPDATE-COND").with("accepted", true)),
             "[0:09:30] UPDATE-COND: accepted");
+  EXPECT_EQ(log_line(record("dropped")
+                         .with("slot", "PlanBoard")
+                         .with("origin", "node 0")
+                         .with("field", "")
+                         .with("why", "not CDR version 1")),
+            "[0:09:30] malformed PlanBoard of node 0 refused: not CDR version 1");
 }
 
 }  // namespace

@@ -148,6 +148,12 @@ void print_text(const std::vector<Topic>& topics, const SpyOptions& options, con
       out << topic.name << ": " << mismatch << '\n';
 }
 
+/// What none was found of.
+const char* none_of(const SpyOptions& options) {
+  if (options.mismatch) return "no topic with types or QoS that do not fit";
+  return options.unmatched ? "no topic with an endpoint that is alone" : "no such topic";
+}
+
 }  // namespace
 
 int show_topics(const SpyOptions& options, Listener& listener, std::ostream& out,
@@ -162,7 +168,7 @@ int show_topics(const SpyOptions& options, Listener& listener, std::ostream& out
     print_text(topics, options, listener.graph(), out);
   }
   if (topics.empty())
-    err << "no such topic among " << listener.graph().endpoints().size() << " endpoints\n";
+    err << none_of(options) << " among " << listener.graph().endpoints().size() << " endpoints\n";
   return kExitOk;
 }
 
