@@ -360,7 +360,7 @@ void Blackboard::Impl::admit_from_peer(std::size_t channel, wire::Sample&& sampl
   const bool direct = senders_[channel] != nullptr && over.from.value() == header.origin;
   Peer& peer = direct ? *senders_[channel] : peers_.at(NodeNumber(header.origin));
   if (is_event(slot)) {
-    peer.on_event(header, std::move(sample), now, out_);
+    if (peer.on_event(header, std::move(sample), now, out_)) show_life(channel, header, now);
     return hear(peer);
   }
   if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample)) {
@@ -372,6 +372,7 @@ void Blackboard::Impl::admit_from_peer(std::size_t channel, wire::Sample&& sampl
     return hear(peer);
   }
   if (!freshness_.admit(slot, header)) return;
+  show_life(channel, header, now);
   if (const auto* part = std::get_if<wire::Part>(&sample)) return admit_part(peer, *part, now);
   if (auto* report = std::get_if<wire::Neighbours>(&sample)) {
     if (forwarding_) hand_all(forwarding_->learn(std::move(*report)), now);
@@ -399,6 +400,15 @@ void Blackboard::Impl::refuse_event(std::size_t channel, wire::Slot slot,
   if (header.destination != config_.self.value()) return;
   from->on_event(header, std::nullopt, now, out_);
   hear(*from);
+}
+
+void Blackboard::Impl::show_life(std::size_t channel, const wire::SampleHeader& header, Now now) {
+  const ChannelConfig& over = config_.channels[channel];
+  if (over.from.value() != header.origin || !header.via.empty() || senders_[channel] == nullptr)
+    return;
+  senders_[channel]->on_sign_of_life(header.incarnation, now.steady);
+  if (forwarding_ && over.kind == ChannelKind::kRadio)
+    forwarding_->on_sign_of_life(over.from, now.steady);
 }
 
 void Blackboard::Impl::hear(Peer& peer) {

@@ -72,6 +72,8 @@ class Blackboard::Impl {
   void write_in_turn(Peer& peer, Now now);
   /// Something of its session came: it counts as handled from the next step on.
   void hear(Peer& peer);
+  /// Something new came over that channel: whoever said it is there, if it was its own.
+  void show_life(std::size_t channel, const wire::SampleHeader& header, Now now);
   /// What a heartbeat says of incarnations, its sender's and of this node.
   void compare_lives(Peer& peer, const wire::Heartbeat& heartbeat, Now now);
   /// To the peer this node is of that incarnation: says everything again.

@@ -21,17 +21,17 @@ bool IncomingEvents::enter(std::uint64_t incarnation) {
   return true;
 }
 
-void IncomingEvents::on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event) {
+bool IncomingEvents::on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event) {
   // What is malformed may lie in its header too: it never opens a session nor waits for one.
-  if (!event && (header.incarnation != incarnation_ || !open_)) return;
-  if (!enter(header.incarnation)) return;
+  if (!event && (header.incarnation != incarnation_ || !open_)) return false;
+  if (!enter(header.incarnation)) return false;
   const std::uint64_t sequence = header.sequence_number;
   if (open_ && sequence < next_) {
     owes_ = true;
-    return;
+    return false;
   }
-  if (buffer_.size() >= kBufferLimit || (open_ && sequence - next_ >= kBufferLimit)) return;
-  buffer_.emplace(sequence, std::move(event));
+  if (buffer_.size() >= kBufferLimit || (open_ && sequence - next_ >= kBufferLimit)) return false;
+  return buffer_.emplace(sequence, std::move(event)).second;
 }
 
 void IncomingEvents::on_heartbeat(const wire::Heartbeat& heartbeat, std::vector<Incoming>& out) {

@@ -34,7 +34,8 @@ class IncomingEvents {
       : self_(self), self_incarnation_(self_incarnation) {}
 
   /// An event; it may be empty if it was malformed: then it only fills its place in the sequence.
-  void on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event);
+  /// Whether it had not been here before.
+  bool on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event);
   void on_heartbeat(const wire::Heartbeat& heartbeat, std::vector<Incoming>& out);
   /// Lets through what is next; expired events are reported instead.
   void deliver(ChannelKind kind, MissionTime now, std::vector<Incoming>& out);

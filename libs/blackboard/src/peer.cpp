@@ -107,11 +107,12 @@ Duration Peer::silence_limit() const {
   return heard_of_ ? limit + limit : limit;
 }
 
-void Peer::on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
+bool Peer::on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
                     std::vector<Incoming>& out) {
-  incoming_.on_event(header, std::move(event));
+  const bool is_new = incoming_.on_event(header, std::move(event));
   incoming_.deliver(channels_.kind, now.mission, out);
   owe_acknowledgement(now.steady);
+  return is_new;
 }
 
 void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out) {

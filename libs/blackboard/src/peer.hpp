@@ -74,8 +74,14 @@ class Peer {
   /// past relays. All events are written again if `anew`.
   void set_way(std::size_t relays, bool heard_of, bool anew, Now now);
 
-  void on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
+  /// Whether it had not been here before.
+  bool on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
                 std::vector<Incoming>& out);
+  /// It said something new in that life, with nobody in between: as long as there is contact, that
+  /// goes on as with a heartbeat.
+  void on_sign_of_life(std::uint64_t incarnation, Duration steady) {
+    if (reachable_ && incarnation == incarnation_) last_heard_ = steady;
+  }
   /// Whether the heartbeat is newer than all before it, by incarnation then sequence; then it is
   /// the newest.
   bool is_news(const wire::Heartbeat& heartbeat) {

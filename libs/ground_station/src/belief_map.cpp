@@ -59,7 +59,7 @@ std::vector<std::size_t> BeliefMap::handle(const world::Perception& heard) {
   const world::SensorEvidence* evidence = evidence_of(config_, look);
   if (evidence == nullptr || !is_sane(look)) return {};
   Device& device = devices_[look.uav + "/" + look.device];
-  if (device.last && look.at - *device.last < config_.decorrelation) return {};
+  if (device.last && look.at - *device.last < apart(config_)) return {};
   device.last = look.at;
   device.evidence.resize(cells_.size());
   std::vector<std::size_t> rows;

@@ -45,6 +45,10 @@ double log_ratio(const SensorEvidence& device, const world::Detection* detection
   return std::log(nothing_if_fire / nothing_if_not);
 }
 
+Duration apart(const PpsConfig& config) {
+  return Duration::nanoseconds(config.decorrelation.count() / 10 * 9);
+}
+
 bool is_sane(const world::Perception& look) {
   return look.viewpoint.allFinite() && look.direction.allFinite() && look.direction.norm() > 0 &&
          std::isfinite(look.range) && std::isfinite(look.aperture);

@@ -16,6 +16,10 @@ bool speaks_for_fire(const world::SensorEvidence& device, const std::string& kin
 /// nothing reported.
 double log_ratio(const world::SensorEvidence& device, const world::Detection* detection);
 
+/// Least time between looks of one device that both count: nine tenths of the decorrelation time,
+/// since the period of a device varies by milliseconds.
+Duration apart(const PpsConfig& config);
+
 /// All figures are finite, and the direction of view is not zero.
 bool is_sane(const world::Perception& look);
 bool is_sane(const world::Detection& detection);

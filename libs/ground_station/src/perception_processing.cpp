@@ -139,8 +139,9 @@ bool PerceptionProcessing::is_too_close(Tally& tally, MissionTime at) const {
   while (!counted.empty() && youngest - counted.front() > kept) counted.pop_front();
   if (youngest - at > kept) return true;
   const auto next = std::lower_bound(counted.begin(), counted.end(), at);
-  if (next != counted.end() && *next - at < config_.decorrelation) return true;
-  if (next != counted.begin() && at - *std::prev(next) < config_.decorrelation) return true;
+  const Duration least = apart(config_);
+  if (next != counted.end() && *next - at < least) return true;
+  if (next != counted.begin() && at - *std::prev(next) < least) return true;
   counted.insert(next, at);
   return false;
 }

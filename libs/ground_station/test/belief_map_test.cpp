@@ -98,6 +98,20 @@ TEST(BeliefMap, ADetectionRaisesBeliefWithinItsGateAndLowersItInTheRestOfTheView
   EXPECT_FALSE(map.belief(cell_at(95, 95))) << "neither in view nor near what was detected";
 }
 
+TEST(BeliefMap, LooksCloserThanTheDecorrelationTimeCountOnceButForAHair) {
+  const Terrain terrain = ground();
+  BeliefMap map({}, terrain, kGrid);
+  const auto belief_after = [&](double at) {
+    map.handle(look_at(0, 0, at));
+    return map.belief(cell_at(5, 5)).value_or(0);
+  };
+
+  const double first = belief_after(1.002);
+
+  EXPECT_EQ(belief_after(1.8), first);
+  EXPECT_LT(belief_after(2.0), first);
+}
+
 TEST(BeliefMap, OneDeviceNeverMakesCertain) {
   const Terrain terrain = ground();
   BeliefMap map({}, terrain, kGrid);

@@ -171,6 +171,17 @@ TEST(PerceptionProcessing, LooksCloserThanTheDecorrelationTimeCountOnce) {
   EXPECT_TRUE(pps.alarms().empty());
 }
 
+// A device that looks each second is woken a little early or late on a machine that has more to do.
+TEST(PerceptionProcessing, LooksThatAreTheDecorrelationTimeApartButForAHairCountEach) {
+  PerceptionProcessing pps({}, flat_terrain());
+
+  give(pps, seeing(look("marvin", "fire-sensor", 1.002), "fire"));
+  give(pps, seeing(look("marvin", "fire-sensor", 2.000), "fire"));
+  const auto effects = give(pps, seeing(look("marvin", "fire-sensor", 2.998), "fire"));
+
+  EXPECT_EQ(states(effects), std::vector{AlarmState::kRaised});
+}
+
 TEST(PerceptionProcessing, TwoDevicesAreIndependentAtOneInstant) {
   PerceptionProcessing pps({}, flat_terrain());
 

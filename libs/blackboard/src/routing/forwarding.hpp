@@ -41,6 +41,8 @@ class Forwarding {
 
   /// A heartbeat that came from its sender over radio.
   void on_heartbeat(NodeNumber from, Duration steady) { router_.on_heartbeat(from, steady); }
+  /// Anything else that did, and was new.
+  void on_sign_of_life(NodeNumber from, Duration steady) { router_.on_sign_of_life(from, steady); }
   /// Of others, for another, that came over that channel. Nothing: it ends here.
   std::optional<Handed> pass_on(const ChannelConfig& from, wire::Sample sample);
   /// To whom else a report of another's links is to be told.

@@ -15,6 +15,11 @@ bool LinkWatch::on_heartbeat(NodeNumber peer, Duration steady) {
   return !was_up || link.steady() != was_steady;
 }
 
+void LinkWatch::on_sign_of_life(NodeNumber peer, Duration steady) {
+  const auto found = links_.find(peer);
+  if (found != links_.end() && found->second.up) found->second.last = steady;
+}
+
 bool LinkWatch::update(Duration steady) {
   bool any = false;
   for (auto& [peer, link] : links_) {

@@ -11,9 +11,9 @@
 namespace skein::blackboard::routing {
 
 /// Links into this node, from the heartbeats that come over them. A link is there with the first
-/// heartbeat and gone after three silent periods. One that has come back is not steady before
-/// kSteadyAfter heartbeats: routes prefer others meanwhile, so that a flapping link does not pull
-/// traffic to and fro. Source: spec 1.3 (reachability).
+/// heartbeat and gone after three periods in which nothing came. One that has come back is not
+/// steady before kSteadyAfter heartbeats: routes prefer others meanwhile, so that a flapping link
+/// does not pull traffic to and fro. Source: spec 1.3 (reachability).
 class LinkWatch {
  public:
   static constexpr int kSteadyAfter = 5;
@@ -22,6 +22,8 @@ class LinkWatch {
 
   /// Whether that changes what heard() says.
   bool on_heartbeat(NodeNumber peer, Duration steady);
+  /// Anything else that came over the link, as long as it is there.
+  void on_sign_of_life(NodeNumber peer, Duration steady);
   /// Finds who has fallen silent; whether there is any.
   bool update(Duration steady);
   /// Steady; when update() finds something if nothing more is heard.

@@ -33,6 +33,8 @@ class Router {
 
   /// A heartbeat that nobody has passed on.
   void on_heartbeat(NodeNumber peer, Duration steady);
+  /// Anything else new that nobody has passed on.
+  void on_sign_of_life(NodeNumber peer, Duration steady) { watch_.on_sign_of_life(peer, steady); }
   void on_report(const wire::Neighbours& report);
   /// What has changed since the last call.
   std::vector<WayChange> update(Duration steady);

@@ -29,10 +29,11 @@ struct PerceptionLogged {
 /// Bayes' rule, each look adds to ln(b / (1 - b))
 ///   ln(P(look | fire) / P(look | no fire)),
 /// where the sum over the looks of each device is kept within ±limit after every look (so that a
-/// device whose reports change has an effect at once). At most one look per `decorrelation` and
-/// device counts (late looks, up to two minutes, are checked against younger ones). The outcome of
-/// a look is the kind detected within the gate (or `least_separation`), or "nothing" if the
-/// candidate's place with its uncertainty was wholly in the cone, in range and in line of sight.
+/// device whose reports change has an effect at once). At most one look per `decorrelation` (less a
+/// tenth, since looks are early or late by milliseconds) and device counts (late looks, up to two
+/// minutes, are checked against younger ones). The outcome of a look is the kind detected within
+/// the gate (or `least_separation`), or "nothing" if the candidate's place with its uncertainty was
+/// wholly in the cone, in range and in line of sight.
 ///
 /// | from      | when                                                                | to        |
 /// | candidate | belief >= raise                                                     | raised    |
