@@ -102,6 +102,11 @@ TEST_F(Network, EndsWellWhenTheTeamIsSplitInTwoHalvesThatMeetAgain) {
   play("comets/confirmed", "halves");
 }
 
+// Nobody tells the nodes whom they hear, nor which of the two relays has died.
+TEST_F(Network, EndsWellWhenARelayDiesAndAnotherTakesOver) { play("relaying/relay-dies", ""); }
+
+TEST_F(Network, EndsWellWhereTheFarUavIsHeardPastThreeRelays) { play("relaying/chain", ""); }
+
 TEST(RadioLab, LeavesNothingBehindWhenItIsKilled) {
   LabRun run;
   run.start("karma/detection", "", {"--", "--rate", "5"});
