@@ -127,6 +127,114 @@ RC_GTEST_PROP(PlanLaws, ALimitOfDepthLeavesOutPlansAndChangesNone, ()) {
   }
 }
 
+// ---- depth -----------------------------------------------------------------------------------
+
+/// Reductions and steps along the way to a plan; where a task or a network has no parts, a step was
+/// taken that does nothing.
+std::uint64_t depth_of(const Plan& plan) {
+  std::uint64_t depth = 0;
+  for (const TreeNode& node : plan.tree) {
+    if (node.kind == TreeNodeKind::kTask || node.kind == TreeNodeKind::kStep) ++depth;
+    if (node.kind != TreeNodeKind::kStep && node.children.empty()) ++depth;
+  }
+  return depth;
+}
+
+RC_GTEST_PROP(PlanLaws, ModesOfDepthChooseAmongAllPlansByTheirTrees, ()) {
+  Drawn drawn;
+  drawn.made.options.trees = true;
+  const Outcome whole = drawn.all();
+  std::vector<Plan> by_depth = whole.plans;
+  std::stable_sort(by_depth.begin(), by_depth.end(), [](const Plan& left, const Plan& right) {
+    return depth_of(left) < depth_of(right);
+  });
+  Plans sorted, shallow;
+  for (const Plan& plan : by_depth) {
+    sorted.push_back(drawn.made.steps(plan));
+    if (depth_of(plan) == depth_of(by_depth.front())) shallow.push_back(sorted.back());
+  }
+  const auto found = [&](Which which) {
+    drawn.made.options.which = which;
+    return drawn.texts(drawn.made.run());
+  };
+
+  RC_ASSERT(depth_of(by_depth.back()) <= whole.statistics.deepest);
+  RC_ASSERT(found(Which::kAllShallowest) == shallow);
+  RC_ASSERT(found(Which::kShallowest) == Plans{shallow.front()});
+  RC_ASSERT(found(Which::kIdFirst) == Plans{shallow.front()});
+  RC_ASSERT(found(Which::kIdAll) == sorted);
+}
+
+// ---- what is told while it runs --------------------------------------------------------------
+
+RC_GTEST_PROP(PlanLaws, TheStepsThatAreTracedLeadToEachPlan, ()) {
+  Drawn drawn;
+  std::vector<std::pair<std::uint64_t, std::string>> taken;  // with the depth where it was taken
+  Plans traced;
+  drawn.made.host.trace = [&](const TraceEvent& event) {
+    const bool step = event.kind == TraceKind::kStep;
+    if (!step && event.kind != TraceKind::kReduction) return;
+    while (!taken.empty() && taken.back().first >= event.depth) taken.pop_back();
+    if (step) taken.emplace_back(event.depth, drawn.made.store.to_text(event.task));
+  };
+  drawn.made.host.plan_found = [&](const Plan&) {
+    std::string steps;
+    for (const auto& [depth, step] : taken)
+      if (step != "(!!inop)") steps += (steps.empty() ? "" : " ") + step;
+    traced.push_back(steps);
+  };
+
+  const Outcome outcome = drawn.all();
+
+  RC_ASSERT(traced == drawn.texts(outcome));
+}
+
+/// What an attempt says it needs: a fact as a bit, and whether it is to hold; nothing where the
+/// task has no condition that could be named.
+struct Need {
+  unsigned fact = 0;
+  bool wanted = true;
+};
+std::optional<Need> need_of(const std::string& condition) {
+  const std::size_t at = condition.find("(f");
+  if (at == std::string::npos) return std::nullopt;
+  return Need{1U << (condition[at + 2] - '0'), !condition.starts_with("(not")};
+}
+
+RC_GTEST_PROP(PlanLaws, AFailureIsADeadEndThatItsStepsLeadTo, ()) {
+  Drawn drawn;
+  constexpr unsigned kNever = 1U << (NaiveDomain::kFacts - 1);
+  drawn.facts &= ~kNever;
+  for (auto& taken : drawn.domain.operators) {
+    taken.adds &= ~kNever;
+    if (*rc::gen::inRange(0, 3) > 0) taken.needs |= kNever;
+  }
+  for (auto& way : drawn.domain.ways)
+    if (way.parts.empty()) way.parts.push_back(-1 - *rc::gen::inRange(0, NaiveDomain::kOperators));
+  Case made(drawn.domain.items(), NaiveDomain::facts_text(drawn.facts), "((t0))");
+  made.options.explain_failure = true;
+  made.options.limits.expansions = Drawn::kMost;
+  const Outcome outcome = made.run();
+  RC_PRE(outcome.verdict == Verdict::kNoPlan);
+  RC_LOG() << drawn.domain.items() << NaiveDomain::facts_text(drawn.facts);
+  unsigned facts = drawn.facts;
+
+  RC_ASSERT(outcome.failure.has_value());
+  for (const Step& step : outcome.failure->steps) {
+    const auto number = static_cast<std::size_t>(made.store.to_text(step.action)[3] - '0');
+    const auto& taken = drawn.domain.operators.at(number);
+    RC_ASSERT((facts & taken.needs) == taken.needs);
+    facts = (facts & ~taken.removes) | taken.adds;
+  }
+  RC_ASSERT(!outcome.failure->attempts.empty());
+  for (const Attempt& attempt : outcome.failure->attempts) {
+    RC_ASSERT(attempt.task == outcome.failure->open_tasks.back());
+    const std::optional<Need> need = need_of(attempt.condition);
+    RC_ASSERT(need.has_value());
+    RC_ASSERT(((facts & need->fact) != 0) != need->wanted);
+  }
+}
+
 // ---- following, preferring -------------------------------------------------------------------
 
 /// Only the plan of exactly these steps.
