@@ -67,6 +67,18 @@ TEST(DocumentLimits, AHundredErrorsAreReported) {
               HasSubstr("t:1:101: more than 100 errors; the rest is not reported\n"));
 }
 
+TEST(DefinitionLimits, AWideDefinitionBesideADeepFormIsNoDeepOne) {
+  std::string facts;
+  for (int i = 0; i < 1'500; ++i) facts += "(a)";
+  const std::string deep = std::string(1'100, '(') + std::string(1'100, ')');
+  ReaderFixture reader;
+
+  reader.read("(other " + deep + ") (defproblem p d (" + facts + ") ())");
+
+  EXPECT_EQ(reader.error_text(), "");
+  EXPECT_EQ(reader.definitions.problems.size(), 1U);
+}
+
 TEST(DocumentErrors, OfLonePrefixesNameWhatIsMissing) {
   EXPECT_EQ(problems_of("(a #: b)"), "t:1:4: nothing follows #:; expected a name\n");
   EXPECT_EQ(problems_of("a #:"), "t:1:3: nothing follows #:; expected a name\n");
