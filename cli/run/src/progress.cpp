@@ -2,6 +2,7 @@
 #include "progress.hpp"
 
 #include <ostream>
+#include <utility>
 
 namespace skein::run_tool {
 
@@ -17,6 +18,17 @@ constexpr const char* kClearLine = "\r\033[K";
 Progress::Progress(std::ostream& out, Style style, std::vector<std::string> uavs)
     : out_(out), style_(style), uavs_(std::move(uavs)) {}
 
+/// Once for each reason: the task is called again every minute.
+void Progress::see_owner(const journal::Record& record) {
+  const auto task = static_cast<std::int64_t>(record.number("task"));
+  if (record.text("stage") == "owned" || record.text("stage") == "granted") unsold_.erase(task);
+  if (record.text("stage") != "unsold") return;
+  const std::string why(record.text("why"));
+  if (why.empty() || std::exchange(unsold_[task], why) == why) return;
+  say(to_clock_text(record.at()) + "  task " + std::to_string(task) + " (" +
+      std::string(record.text("statement")) + ") has no owner: " + why);
+}
+
 void Progress::see(const journal::Record& record) {
   if (record.kind() == "phase") {
     phase_ = record.text("name");
@@ -27,6 +39,7 @@ void Progress::see(const journal::Record& record) {
         std::to_string(static_cast<std::int64_t>(record.number("mission"))) +
         " is refused: " + std::string(record.text("why")));
   }
+  if (record.kind() == "owner") see_owner(record);
   if (record.kind() != "task") return;
   const std::string uav(record.text("uav"));
   const auto id = static_cast<std::int64_t>(record.number("task"));

@@ -32,12 +32,14 @@ class Progress {
   struct CurrentTask {
     std::map<std::int64_t, std::string> running;  ///< id → "goto"
   };
+  void see_owner(const journal::Record& record);
   std::string line(MissionTime now) const;
 
   std::ostream& out_;
   Style style_;
   std::vector<std::string> uavs_;
   std::map<std::string, CurrentTask> current_;
+  std::map<std::int64_t, std::string> unsold_;  ///< why nobody has these tasks of the team
   std::string phase_;
   std::string shown_;
   bool changed_ = true;

@@ -75,6 +75,24 @@ TEST_F(ProgressLines, SayAtOnceThatAMissionIsRefusedAndWhy) {
       "0:00:18  global mission 1 is refused: tasks 11, 12: the last cannot end before 40 s\n");
 }
 
+TEST_F(ProgressLines, SayAtOnceAndOnceThatNobodyCanDoATaskAndWhy) {
+  const auto owner = [](int second, const char* stage, const char* why) {
+    return journal::Record(at(second), "ground", "owner")
+        .with("task", 31)
+        .with("statement", "perform-mapping field")
+        .with("stage", stage)
+        .with("why", why);
+  };
+  progress.see(owner(40, "for-sale", ""));
+  progress.see(owner(41, "unsold", "marvin: no device; heliv: no device"));
+  progress.see(owner(101, "for-sale", "called again"));
+  progress.see(owner(102, "unsold", "marvin: no device; heliv: no device"));
+
+  EXPECT_EQ(out.str(),
+            "0:00:41  task 31 (perform-mapping field) has no owner: "
+            "marvin: no device; heliv: no device\n");
+}
+
 class TaskStates : public ProgressLines, public ::testing::WithParamInterface<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Shown, TaskStates, ::testing::Values("started", "running", "aborting"));
 
