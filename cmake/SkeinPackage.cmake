@@ -27,7 +27,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS skein-refine)
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Ground station, decision nodes and simulator as daemons over DDS, the
 commands that play and examine missions, and scenarios.")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
-    ${SKEIN_CMAKE_DIR}/deb/conffiles ${SKEIN_CMAKE_DIR}/deb/postinst)
+    ${SKEIN_CMAKE_DIR}/deb/conffiles ${SKEIN_CMAKE_DIR}/deb/postinst ${SKEIN_CMAKE_DIR}/deb/prerm ${SKEIN_CMAKE_DIR}/deb/postrm)
 
 set(CPACK_DEBIAN_MAPS_PACKAGE_NAME skein-refine)
 set(CPACK_DEBIAN_MAPS_PACKAGE_SECTION science)

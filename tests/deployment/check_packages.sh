@@ -61,6 +61,12 @@ if command -v systemd-analyze >/dev/null; then
 fi
 chroot "$root" sh -c 'cd /tmp && apt-get install -s --no-install-recommends ./libskein-dev_*.deb ./skein-refine_*.deb' >"$log" 2>&1 ||
   fail "what libskein-dev or skein-refine depends on is not in Debian"
+# As after a mission by the units.
+mkdir -p "$root/var/lib/skein/marvin" "$root/etc/systemd/system/multi-user.target.wants"
+touch "$root/var/lib/skein/marvin/marvin.state"
+ln -s /usr/lib/systemd/system/skein-ddn@.service "$root/etc/systemd/system/multi-user.target.wants/skein-ddn@marvin.service"
+chroot "$root" apt-get remove -y skein >"$log" 2>&1 || fail "remove"
+[ -f "$root/var/lib/skein/marvin/marvin.state" ] && [ -f "$root/etc/skein/ddn.yaml" ] || fail "what was kept or set is gone with the programs"
 chroot "$root" apt-get purge -y skein >"$log" 2>&1 || fail "purge"
 left=$(chroot "$root" find / -xdev -name '*skein*' -not -path '/tmp/*' -not -path '/var/lib/apt/*' | head)
 [ -z "$left" ] || fail "left after purge: $left"
