@@ -2,6 +2,7 @@
 #include "skein/auction/bidder.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "skein/foundation/overloaded.hpp"
 
@@ -41,7 +42,7 @@ ToAuctioneer Bidder::handle(const ToMember& message) const {
 // Empty: it may do it.
 std::string Bidder::refusal_of(const Task& task) const {
   if (task.forbidden.contains(self_)) return "the operator forbids it";
-  const bool alone = task.least_members == 1 && task.needs == 0;
+  const bool alone = task.least_members <= 1 && std::popcount(task.needs) <= 1;
   if (alone && task.pinned && *task.pinned != self_) return "the operator gives it to another";
   if ((task.needs_each & ~craft_->abilities()) != 0) {
     return "it lacks an ability that every member needs";

@@ -98,7 +98,9 @@ void Auctioneer::Core::call(MissionTime now, SaleEffects& effects) {
               items_.size() > 1},
          effects);
   }
-  if (awaited_.empty()) finish(effects);
+  if (!awaited_.empty()) return;
+  if (selling_) left_over_.insert(left_over_.end(), items_.begin(), items_.end());
+  finish(effects);
 }
 
 // An offer for the route and the items that were called, as far as can be seen.

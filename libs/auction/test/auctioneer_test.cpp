@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "skein/auction/bidder.hpp"
+#include "testing/road_team.hpp"
 
 namespace skein::auction {
 namespace {
@@ -29,8 +30,6 @@ class LineCraft : public Craft {
  private:
   double begin_;
 };
-
-MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
 
 struct AuctioneerTest : ::testing::Test {
   AuctioneerTest() {

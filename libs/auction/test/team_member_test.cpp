@@ -7,14 +7,14 @@
 
 #include <deque>
 
+#include "testing/road_team.hpp"
+
 namespace skein::auction {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-
-MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
 
 struct TeamMemberTest : ::testing::Test {
   TeamMember member(Disk disk = {}) {
