@@ -27,6 +27,22 @@ inline executive::Start start_of(std::uint64_t id, const std::string& type) {
   return start;
 }
 
+inline StatusTold status_of(std::uint64_t id, functional::TaskState state,
+                            const std::string& reason = "") {
+  return {{functional::TaskId(id), state, reason}};
+}
+
+/// What is asked of the vehicle, in words and in order: "dispatch goto", "interrupt 7".
+inline std::vector<std::string> asked_of_vehicle(const Effects& effects) {
+  std::vector<std::string> asked;
+  for (const ToVehicle& one : all<ToVehicle>(effects)) {
+    const bool stop = one.request.verb == functional::Verb::kInterrupt;
+    asked.push_back(stop ? "interrupt " + std::to_string(one.request.id.value())
+                         : "dispatch " + one.request.type);
+  }
+  return asked;
+}
+
 inline world::Telemetry flying(bool airborne) {
   world::Telemetry telemetry;
   telemetry.uav = "marvin";
@@ -39,9 +55,8 @@ class FlownNode {
  public:
   explicit FlownNode(int degree, ContactPolicy policy = ContactPolicy::kContinue,
                      std::optional<temporal::Algorithm> consistency = temporal::Algorithm::kDipM)
-      : node_(config(degree, policy, consistency)) {
-    give(Started{});
-  }
+      : FlownNode(config(degree, policy, consistency)) {}
+  explicit FlownNode(Config config) : node_(std::move(config)) { born_ = give(Started{}); }
 
   Effects give(const Input& input) { return node_.handle(input, now_); }
   Effects wake_at(double seconds) {
@@ -54,8 +69,10 @@ class FlownNode {
     return answers.empty() ? Answer() : answers.front();
   }
   MissionTime now() const { return now_; }
+  std::optional<MissionTime> next_wakeup() const { return node_.next_wakeup(); }
+  /// What it did when it was started.
+  const Effects& born() const { return born_; }
 
- private:
   static Config config(int degree, ContactPolicy policy,
                        std::optional<temporal::Algorithm> consistency) {
     Config config;
@@ -68,8 +85,10 @@ class FlownNode {
     return config;
   }
 
+ private:
   DecisionNode node_;
   MissionTime now_;
+  Effects born_;
   std::uint64_t commands_ = 100;
 };
 
