@@ -155,17 +155,20 @@ TEST(SearchPreferred, AReductionIsPreferredOnlyWithAllItsSubtasks) {
 
 // ---- hosts and problems ----------------------------------------------------------------------
 
-TEST(SearchHost, WithoutAClockThereIsNoLimitOfTime) {
-  Case made(adds("(!a)", ""), "", "((!a))");
-  made.options.limits.seconds = 0;
+const std::string kTurningOn =
+    does("(turn ?n)", "((!turn) (turn (s ?n)))") + adds("(!turn)", "", "0");
 
-  EXPECT_EQ(made.first(), "(!a)");
+TEST(SearchHost, WithoutAClockThereIsNoLimitOfTime) {
+  Case made(kTurningOn, "", "((turn z))");
+  made.options.limits.seconds = 0;
+  made.options.limits.expansions = 100'000;
+
+  EXPECT_EQ(made.first(), "limit: expansions");
 }
 
 TEST(SearchHost, TheLimitOfTimeIsPassedWhereItIsExceededOnly) {
   const auto after = [](double seconds) {
-    Case made(does("(turn ?n)", "((!turn) (turn (s ?n)))") + adds("(!turn)", "", "0"), "",
-              "((turn z))");
+    Case made(kTurningOn, "", "((turn z))");
     made.options.limits.seconds = 2;
     made.options.limits.expansions = 100'000;
     int asked = 0;
