@@ -367,6 +367,46 @@ TEST(TeamMemberTakesPart, WhatItOffersInTheFirstRoundIsTold) {
   EXPECT_THAT(one.ledger().entries.at(TaskNumber(5)).why, ::testing::HasSubstr("to marvin for"));
 }
 
+// One of three, with a vehicle and a task for sale, that has just been voted for by member 1.
+TeamMember just_voted_for() {
+  TeamSetup setup;
+  setup.self = MemberNumber(0);
+  setup.roster = {MemberNumber(0), MemberNumber(1), MemberNumber(2)};
+  setup.craft = [](const auto&, MissionTime) { return std::make_unique<const Plain>(); };
+  TeamMember one(std::move(setup));
+  Task task;
+  task.number = TaskNumber(5);
+  one.handle(MissionGiven{{MissionNumber(1), {{task}, {}}}}, at(0));
+  one.handle(Tick{}, *one.next_wakeup());
+  one.handle(Heard{MemberNumber(1), Vote{1, true}}, at(5));
+  one.handle(Heard{MemberNumber(1), Vote{1, false}}, at(5));
+  return one;
+}
+
+// What `member` says after the first beat of member 0: it has the ledger, and a vehicle or none.
+TeamInput answers(std::uint32_t member, const TeamMember& holder, bool bids) {
+  const Status status{1, holder.ledger().revision, {}, {}, {}, {}, {}, bids, {}};
+  return Heard{MemberNumber(member), status};
+}
+
+// Found by a mission that was given before anybody held the token: its first holder sold all of it
+// to itself, "nobody else could", and began what another was nearer to.
+TEST_F(TeamMemberTest, WhoTakesTheTokenHearsTheOthersBeforeItSells) {
+  TeamMember one = just_voted_for();
+  ASSERT_TRUE(one.holds_token());
+
+  EXPECT_EQ(count<Offered>(one.handle(answers(1, one, false), at(5.02))), 0U);
+  EXPECT_THAT(said<ToMember>(one.handle(answers(2, one, true), at(5.04))), SizeIs(1));
+}
+
+TEST_F(TeamMemberTest, WhoDoesNotAnswerTheFirstBeatIsNotWaitedForBeyondTheNext) {
+  TeamMember one = just_voted_for();
+
+  one.handle(answers(1, one, false), at(5.02));
+  ASSERT_LE(*one.next_wakeup(), at(5.6));
+  EXPECT_EQ(count<Offered>(one.handle(Tick{}, *one.next_wakeup())), 1U);
+}
+
 // In flight the way gets shorter all the time: that is no gain of a trade.
 TEST(TeamMemberTakesPart, InOneSaleItBidsFromWhereItWasWhenThatBegan) {
   struct Moving : Plain {
