@@ -101,6 +101,25 @@ TEST(AMemberThatNeverComes, IsDoneWithoutByThoseWhoAreThere) {
   EXPECT_EQ(mission.untrue, "") << "as that all of the field was in view";
 }
 
+// Found by a scenario written from the manual: it offered nothing for ten minutes, three times, in
+// the air, though a camera that is not on board does not come.
+TEST(AVehicleThatFitsNoRole, SaysSoAtOnceAndGoesOn) {
+  scenario::Scenario scenario = scenario_at("area-sharing/one-lost");
+  scenario.faults.kills.clear();
+  scenario.duration_limit = MissionTime::seconds(200);
+  for (scenario::UavSpec& uav : scenario.uavs) {
+    if (uav.name == "wren") uav.model.sensors.clear();
+  }
+
+  const Mission mission = play(scenario);
+
+  const auto failed = mission.find({{"kind", "goal"}, {"goal", "22"}, {"state", "failed"}});
+  ASSERT_EQ(failed.size(), 1U);
+  EXPECT_LE(failed.front().at(), MissionTime::seconds(90));
+  EXPECT_NE(failed.front().text("why").find("it can play no role: "), std::string::npos);
+  EXPECT_EQ(mission.count({{"kind", "goal"}, {"goal", "23"}, {"state", "achieved"}}), 1U);
+}
+
 TEST(ARoleWhoseDeviceHasFailed, IsLeftWithTheReason) {
   scenario::Scenario scenario = scenario_at("agreed-places/pursuit");
   scenario.faults.breaks.push_back({MissionTime::seconds(79), "uav1", "visible"});

@@ -42,6 +42,10 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
   if (!joint) {
     return host_.answered({asked.task.id, false, {}, joint.error().why, {}});
   }
+  if (const auto* seen = sightings_.own(); seen != nullptr) {
+    const std::string why = no_role_for(*joint, host_.config().knowledge->vehicle, seen->state);
+    if (!why.empty()) return host_.answered({asked.task.id, false, {}, why, {}});
+  }
   // Later than foreseen is better than not at all, where nothing forbids it.
   std::vector<mission::Interval> preferences = asked.preferences;
   if (!preferences.empty() && !asked.task.time.start_before) {

@@ -352,18 +352,35 @@ class Walk {
   std::vector<interaction::ActiveScm> scms_;
 };
 
+/// What a role asks for that the vehicle has not; empty: nothing.
+std::string lacking(const Joint& joint, const std::string& role, const world::VehicleModel& vehicle,
+                    const world::VehicleState& state) {
+  const auto missing = unmet(joint.library->roles.at(role), capabilities_of(vehicle, state));
+  if (missing.empty()) return "";
+  std::vector<std::string> all;
+  for (const interaction::Requirement& one : missing) all.push_back(describe(one));
+  return "it lacks " + joined(all, ", ");
+}
+
 }  // namespace
 
 Result<RoleCost, Failure> cost_of(const Joint& joint, const std::string& role,
                                   const world::VehicleState& state, const Outlook& outlook) {
-  const auto missing =
-      unmet(joint.library->roles.at(role), capabilities_of(outlook.knowledge.vehicle, state));
-  if (!missing.empty()) {
-    std::vector<std::string> all;
-    for (const interaction::Requirement& one : missing) all.push_back(describe(one));
-    return failure("it lacks " + joined(all, ", "));
-  }
+  if (const std::string lacks = lacking(joint, role, outlook.knowledge.vehicle, state);
+      !lacks.empty())
+    return failure(lacks);
   return Walk(joint, role, position_of(state.position), outlook).cost();
+}
+
+std::string no_role_for(const Joint& joint, const world::VehicleModel& vehicle,
+                        const world::VehicleState& state) {
+  std::vector<std::string> reasons;
+  for (const std::string& role : joint.variant->roles) {
+    const std::string lacks = lacking(joint, role, vehicle, state);
+    if (lacks.empty()) return "";
+    reasons.push_back(role + ": " + lacks);
+  }
+  return "it can play no role: " + joined(reasons, "; ");
 }
 
 }  // namespace skein::decision_node

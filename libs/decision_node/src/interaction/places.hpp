@@ -72,5 +72,8 @@ struct RoleCost {
 /// The cost of a role from `state`; or why the UAV cannot play it: a missing device, no place.
 Result<RoleCost, Failure> cost_of(const Joint& joint, const std::string& role,
                                   const world::VehicleState& state, const Outlook& outlook);
+/// Why a vehicle can play none of the roles, now or later: what it lacks; empty: it can play one.
+std::string no_role_for(const Joint& joint, const world::VehicleModel& vehicle,
+                        const world::VehicleState& state);
 
 }  // namespace skein::decision_node
