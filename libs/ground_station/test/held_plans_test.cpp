@@ -3,7 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
+#include <map>
+#include <set>
+
+#include "skein/foundation/random.hpp"
 #include "testing/builders.hpp"
 
 namespace skein::ground_station {
@@ -130,6 +135,66 @@ TEST(HeldPlans, CommandsAboutOthersAreNoneOfItsBusiness) {
   EXPECT_FALSE(plans.edit("marvin", start_of(20)));
   EXPECT_FALSE(plans.edit("marvin", executive::ProcessMessage{"go"}));
   EXPECT_FALSE(plans.edit("marvin", mission::ChangeDegree{1, false, true}));
+}
+
+// ---- against walks through the graph of what waits for what ----
+
+using Graph = std::map<std::uint64_t, std::set<std::uint64_t>>;
+
+// What the task waits for when these are left out: the nearest others behind them.
+void nearest(const Graph& waits, std::uint64_t task, const std::set<std::uint64_t>& left_out,
+             std::set<std::uint64_t>& found) {
+  for (const std::uint64_t before : waits.at(task)) {
+    if (left_out.contains(before)) {
+      nearest(waits, before, left_out, found);
+    } else {
+      found.insert(before);
+    }
+  }
+}
+
+std::set<std::uint64_t> waited_for(const HeldTask& task) {
+  std::set<std::uint64_t> found;
+  for (const executive::Clause& clause : task.task.preconditions) {
+    RC_ASSERT(clause.size() == 1U);
+    found.insert(std::get<executive::TaskInState>(clause[0].condition).task.value());
+  }
+  return found;
+}
+
+TEST(HeldPlansOracle, WhateverIsDiscardedInWhateverOrderTheRestWaitsForTheNearestThatIsLeft) {
+  EXPECT_TRUE(rc::check([] {
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    Graph waits{{1, {}}};  // 1 is over, and not held
+    std::vector<std::uint64_t> discarded;
+    for (std::uint64_t task = 2; task <= 9; ++task) {
+      waits.try_emplace(task);
+      for (std::uint64_t before = 1; before < task; ++before) {
+        if (random.chance(0.4)) waits[task].insert(before);
+      }
+      const auto where =
+          discarded.begin() + static_cast<std::ptrdiff_t>(random.below(discarded.size() + 1));
+      if (random.chance(0.5)) discarded.insert(where, task);
+    }
+    HeldPlans plans;
+    for (std::uint64_t task = 2; task <= 9; ++task) {
+      plans.hold("marvin", {after(task, {waits[task].begin(), waits[task].end()})});
+    }
+    const std::set<std::uint64_t> left_out(discarded.begin(), discarded.end());
+    for (const std::uint64_t task : discarded) {
+      const auto answer = plans.edit("marvin", abort_of(task));
+      RC_ASSERT(answer && answer->accepted && answer->dropped == 1U);
+    }
+
+    const auto rest = plans.of("marvin");
+
+    RC_ASSERT(rest.size() == 8U - left_out.size());
+    for (const HeldTask& task : rest) {
+      std::set<std::uint64_t> expected;
+      nearest(waits, task.task.id.value(), left_out, expected);
+      RC_ASSERT(waited_for(task) == expected);
+    }
+  }));
 }
 
 }  // namespace

@@ -65,13 +65,20 @@ TEST(Measure, SeparationCountsOnlyWhileBothFly) {
 }
 
 TEST(Measure, SeparationIsBetweenSamplesOfDifferentInstantsToo) {
-  Journal j;
-  j.telemetry = {telemetry(0, "a", {0, 0, 0}), telemetry(10, "a", {100, 0, 0}),
-                 telemetry(5, "b", {50, 7, 0}), telemetry(10, "b", {50, 60, 0})};
-  sort_by_time(j);
+  for (const bool swapped : {false, true}) {
+    const std::string one = swapped ? "b" : "a", other = swapped ? "a" : "b";
+    Journal j;
+    j.telemetry = {telemetry(0, one, {0, 0, 0}), telemetry(10, one, {100, 0, 0}),
+                   telemetry(5, other, {50, 7, 0}), telemetry(10, other, {50, 60, 0})};
+    sort_by_time(j);
 
-  // At 10 s a is at (100, 0) and b at (50, 60).
-  EXPECT_DOUBLE_EQ(measure(j).separation->metres, std::hypot(50, 60));
+    const Separation found = *measure(j).separation;
+
+    EXPECT_DOUBLE_EQ(found.metres, 7) << "at 5 s, which only one of them has a sample of";
+    EXPECT_DOUBLE_EQ(found.t, 5);
+    EXPECT_EQ(found.first, 0U);
+    EXPECT_EQ(found.second, 1U);
+  }
 }
 
 // All pairs at every common instant, the slow way.

@@ -28,22 +28,30 @@ UavFigures figures_of(const UavStory& uav) {
   return f;
 }
 
+// At the samples of one, where the other is between two of its own.
+void look_from(const Chronology& c, std::size_t one, std::size_t other,
+               std::optional<Separation>& best) {
+  const std::vector<TrackPoint>& track = c.uavs[other].track;
+  std::size_t k = 0;
+  for (const TrackPoint& p : c.uavs[one].track) {
+    while (k + 1 < track.size() && track[k + 1].t <= p.t) ++k;
+    if (!p.airborne || track.empty() || track[k].t > p.t) continue;
+    // Walk along with the other track instead of searching it: the whole is linear.
+    const std::size_t next = std::min(k + 1, track.size() - 1);
+    const std::optional<TrackPoint> q = between(track[k], track[next], p.t);
+    if (!q || !q->airborne) continue;
+    const double metres = distance(p.position, q->position);
+    const bool closer = !best || metres < best->metres;
+    if (closer) best = Separation{metres, p.t, std::min(one, other), std::max(one, other)};
+  }
+}
+
 std::optional<Separation> closest(const Chronology& c) {
   std::optional<Separation> best;
   for (std::size_t a = 0; a < c.uavs.size(); ++a) {
     for (std::size_t b = a + 1; b < c.uavs.size(); ++b) {
-      std::size_t k = 0;
-      const std::vector<TrackPoint>& other = c.uavs[b].track;
-      for (const TrackPoint& p : c.uavs[a].track) {
-        while (k + 1 < other.size() && other[k + 1].t <= p.t) ++k;
-        if (!p.airborne || other.empty() || other[k].t > p.t) continue;
-        // Walk along with the other track instead of searching it: the whole is linear.
-        const std::size_t next = std::min(k + 1, other.size() - 1);
-        const std::optional<TrackPoint> q = between(other[k], other[next], p.t);
-        if (!q || !q->airborne) continue;
-        const double metres = distance(p.position, q->position);
-        if (!best || metres < best->metres) best = Separation{metres, p.t, a, b};
-      }
+      look_from(c, a, b, best);
+      look_from(c, b, a, best);
     }
   }
   return best;

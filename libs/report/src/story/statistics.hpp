@@ -24,7 +24,7 @@ struct UavFigures {
   std::size_t aborted = 0;
 };
 
-/// The closest that two UAVs came while both were airborne.
+/// The closest that two UAVs came while both were airborne, at the samples of either.
 struct Separation {
   double metres = 0.0;
   double t = 0.0;
