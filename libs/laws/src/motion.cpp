@@ -32,21 +32,22 @@ void refused_at_once(const History& history, const Uav& uav, std::vector<Violati
 }
 
 /// The vehicle's tasks from this number on are portions of a sweep (decision 68), and flights
-/// aside, during which the motion itself is not taken.
+/// aside: those are over before the motion, which waits for its air meanwhile, runs.
 constexpr std::int64_t kFirstPortion = 4'500'000'000'000'000;
+
+bool is_portion(const Activity& one, const Execution& sweep) {
+  return one.task >= kFirstPortion && one.type == sweep.type && one.until > sweep.running &&
+         one.from <= sweep.over;
+}
 
 // When the vehicle begins with it: what is to hold it waits, on board, until what was interrupted
 // is over. Never, if it was given up before.
 double begun(const Uav& uav, const Execution& motion) {
   const double started = motion.taken == kNever ? motion.started : motion.taken;
-  const auto is_of_it = [&](const Activity& one) {
-    const bool portion = motion.taken != kNever && one.task >= kFirstPortion &&
-                         one.type == motion.type && started <= one.from && one.from <= motion.over;
-    return one.task == motion.task || portion;
-  };
   const auto real =
-      std::find_if(uav.activities.begin(), uav.activities.end(),
-                   [&](const Activity& one) { return is_of_it(one) && one.from < one.until; });
+      std::find_if(uav.activities.begin(), uav.activities.end(), [&](const auto& one) {
+        return (one.task == motion.task || is_portion(one, motion)) && one.from < one.until;
+      });
   return real == uav.activities.end() ? kNever : std::max(started, real->from);
 }
 

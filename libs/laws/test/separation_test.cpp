@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/journal/lines/execution.hpp"
 #include "testing/story.hpp"
 
 namespace skein::laws::testing {
@@ -69,6 +70,41 @@ TEST(BeginsLaw, OneThatWaitsForAWhileDoesNot) {
   story.does("marvin", {7, "goto", 0, 10, 1200, "ended", "", {}, "", 300});
 
   EXPECT_THAT(story.broken("begins"), IsEmpty());
+}
+
+/// The vehicle flies a way of its own from 20 s to `until`; the goto runs from `runs` on.
+Story flies_beside(double until, double runs) {
+  using journal::record_of;
+  namespace lines = journal::lines;
+  constexpr std::uint64_t kOwn = 4'500'000'000'000'001;
+  Story story = asked();
+  const auto at = [](double s) { return MissionTime::seconds(s); };
+  const auto task = [&](double s, const char* state) {
+    story.line(record_of(at(s), "marvin",
+                         lines::Task{.uav = "marvin", .task = 7, .type = "goto", .state = state}));
+  };
+  const auto truth = [&](double s, std::uint64_t number, const char* state) {
+    story.line(record_of(
+        at(s), "sim",
+        lines::Functional{.uav = "marvin", .task = number, .type = "goto", .state = state}));
+  };
+  task(10, "started");
+  truth(20, kOwn, "running");
+  truth(until, kOwn, "ended");
+  task(runs, "running");
+  truth(1100, 7, "running");
+  truth(1200, 7, "ended");
+  task(1200, "ended");
+  return story;
+}
+
+TEST(BeginsLaw, ASweepBeginsWithItsFirstPortion) {
+  EXPECT_THAT(flies_beside(60, 20.3).broken("begins"), IsEmpty());
+}
+
+TEST(BeginsLaw, AFlightAsideIsNoBegin) {
+  EXPECT_THAT(flies_beside(60, 1100.3).broken("begins"),
+              ElementsAre(HasSubstr("does not begin for 1090.0 s")));
 }
 
 // Who reaches neither its partner nor the ground takes no air.

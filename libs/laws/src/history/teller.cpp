@@ -71,6 +71,7 @@ class UavTeller {
       task.started = std::min(task.started, seconds(when));
       task.taken = std::min(task.taken, seconds(when));
     }
+    if (task.state == "running") task.running = std::min(task.running, seconds(when));
     if (task.state == "ended" || task.state == "aborted") task.over = seconds(when);
   }
 

@@ -55,8 +55,9 @@ struct Execution {
   std::string type;
   double started = kNever, over = kNever;
   std::string state, reason;
-  std::string node;       ///< node of the last executive: the UAV's, or the ground's at degree 1
-  double taken = kNever;  ///< when that executive started it
+  std::string node;         ///< node of the last executive: the UAV's, or the ground's at degree 1
+  double taken = kNever;    ///< when that executive started it
+  double running = kNever;  ///< when an executive first had it running
 
   bool is_motion() const;
   bool under_way(double at) const { return started <= at && at < over; }
