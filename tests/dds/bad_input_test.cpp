@@ -107,6 +107,15 @@ struct Vendors {
   std::string ours, theirs;
 };
 
+/// Where it does not, the fourth participant of Cyclone DDS in one process fails ("no free
+/// participant index", with the ports free).
+bool loopback_carries_multicast() {
+  constexpr unsigned kMulticast = 0x1000;  // IFF_MULTICAST
+  unsigned flags = 0;
+  std::ifstream("/sys/class/net/lo/flags") >> std::hex >> flags;
+  return (flags & kMulticast) != 0;
+}
+
 class DdsBadInput : public ::testing::TestWithParam<Vendors> {
  protected:
   void start() {
@@ -166,6 +175,9 @@ class DdsBadInput : public ::testing::TestWithParam<Vendors> {
 };
 
 TEST_P(DdsBadInput, IsRefusedCountedAndNamedOnceByEveryDaemonAndTheMissionIsFlown) {
+  if (GetParam().theirs == "cyclonedds" && !loopback_carries_multicast())
+    GTEST_SKIP() << "so many writers of Cyclone DDS need a loopback interface with multicast "
+                    "(ip link set lo multicast on)";
   start();
 
   std::vector<Wrong> all = of_karma();
