@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Routes with some tasks on sale: where each could go, what that would be worth, and when all
-// begin.
+// The allocation problem of one round: routes, the tasks on sale, their possible positions in the
+// routes with the resulting values, and the dates of all tasks.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,16 @@
 
 namespace skein::auction {
 
-/// A member's route as it stands in the books, with what the member last said about it.
+/// A member's route as the auctioneer has booked it, with the figures that the member last gave.
 struct BookedRoute {
   MemberNumber member;
   std::vector<TaskNumber> tasks;
-  std::uint32_t fixed = 0;  ///< so many at its beginning are not moved
+  std::uint32_t fixed = 0;  ///< the first `fixed` tasks are not moved
   std::vector<Leg> legs;    ///< to each task, then to the end
   double free_from = 0;     ///< [s]
 };
 
-/// Where a task would go: with these members, each at this position of its route.
+/// A possible insertion of an item: a position in the route of each member of a group.
 struct Placing {
   struct Spot {
     std::uint32_t route = 0;
@@ -32,27 +32,31 @@ struct Placing {
   };
   std::uint32_t item = 0;
   std::vector<Spot> spots;
-  Value value;  ///< of all routes with it
+  Value value;  ///< of the whole allocation with this insertion
 };
 
-/// Winner determination works on one. A placing is judged without being tried, by the longest way
-/// to and from it (as in job shops): exact, since a detour never shortens another way. Cost:
-/// schedule() is linear; placings of one item: gaps, times groups if it is joint.
+/// The working state of winner determination. A placing is evaluated without inserting it, from the
+/// longest paths to and from the item (head and tail, as in job-shop scheduling); this is exact,
+/// since an insertion never shortens another path. Cost: schedule() is linear in tasks; placings()
+/// is linear in gaps, times the number of groups for a joint task.
 class Draft {
  public:
-  /// What is outside of the draft only adds to cost and end. `catalogue` and offers outlive it.
+  /// `catalogue` outlives the draft.
   Draft(const Catalogue& catalogue, Aim aim, std::vector<TaskNumber> items);
+  /// Adds the share of routes outside the draft to the value: their cost, latest end [s] and number
+  /// of unsold tasks.
   void add_rest(double cost, double end, std::uint32_t unsold);
-  /// `offer`: of a member that was called; its route is the one of the call.
+  /// `offer`: of a member that was called, for exactly this route; null: items cannot go to it.
   void add(const BookedRoute& route, const Offer* offer);
 
-  /// Back to the routes without the items, and their dates. False: they have none.
+  /// Removes all items from the routes and dates the rest. False: those routes are infeasible.
   bool restore();
-  /// Dates of everything placed. False: a circle of waits, or a deadline that does not hold.
+  /// Computes the dates of all placed tasks. False: precedences form a cycle, or a deadline is
+  /// missed.
   bool schedule();
-  /// Best first, at most `most`, and of different groups.
+  /// The best placing of each group of members, best group first, at most `most`.
   std::vector<Placing> placings(std::uint32_t item, std::size_t most) const;
-  /// Places an item and dates everything. False: it cannot be; nothing has changed.
+  /// Inserts an item and dates all tasks. False: infeasible, and nothing has changed.
   bool place(const Placing& placing);
 
   Value value() const;
@@ -69,7 +73,7 @@ class Draft {
  private:
   struct Stop {
     std::uint32_t node;
-    std::int32_t gap;  ///< of the call's route, after which it stands; -1: an item
+    std::int32_t gap;  ///< position in the route of the call; -1: an item
     Leg leg;
   };
   struct Route {
@@ -81,9 +85,9 @@ class Draft {
     bool called = false;
     std::vector<Stop> stops, base;
     Leg home, base_home;
-    double spent = 0;          ///< energy of the items placed
-    std::vector<Leg> in, out;  ///< item by gap; kNoWay: not offered
-    std::vector<Leg> between;  ///< item by item
+    double spent = 0;          ///< energy that the placed items add
+    std::vector<Leg> in, out;  ///< row per item, column per gap; kNoWay: not offered
+    std::vector<Leg> between;  ///< row per item left, column per item reached
     std::vector<double> item_energy;
     std::vector<bool> willing;
   };
@@ -95,15 +99,15 @@ class Draft {
     std::vector<Placing::Spot> spots;
     std::vector<std::uint32_t> before, after;
   };
-  // One gap of one route for an item.
+  // One position in one route at which an item could be inserted.
   struct Gap {
     Placing::Spot spot;
     double arrival = 0;  ///< [s]
-    double rest = 0;     ///< from the end of the item to the end of all after it [s]
-    double by = 0;       ///< when the item must have ended
-    double cost = 0;     ///< added
+    double rest = 0;     ///< longest time from the end of the item to the end of its successors [s]
+    double by = 0;       ///< latest end of the item [s]
+    double cost = 0;     ///< of the detour
   };
-  // The best gaps of one group.
+  // The best combination of gaps for one group of members.
   struct Best {
     bool found = false;
     Value value;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a ledger has for sale, and what its members hold meanwhile.
+// The lot and the holdings of the next sale, taken from a ledger.
 #pragma once
 
 #include <set>
@@ -10,22 +10,26 @@
 
 namespace skein::auction {
 
+/// Whether every predecessor of the task in the ledger's precedences is done.
 bool all_before_done(const Ledger& ledger, const LedgerEntry& entry);
 
-/// For sale once more, of nobody.
+/// Removes the owners of a task and puts it back on sale.
 void put_up(LedgerEntry& entry, std::string why);
 
-/// What is neither done nor with somebody who is not `here`; times count from `now`.
+/// The tasks of the next sale: all but those that are done, given up as unsold, or owned by a
+/// member that is not in `here`. Times count from `now`; granted tasks have no deadline.
 Lot lot_for_sale(const Ledger& ledger, const std::set<MemberNumber>& here, MissionTime now);
 
-/// What the member has of that lot, in the order of its route.
+/// The tasks of that lot which `member` owns, in the order of its route; all up to its last granted
+/// task are fixed.
 Holding holding(const Ledger& ledger, const std::set<MemberNumber>& here, MemberNumber member);
 
-/// The revision in which the last of what is for sale came there.
+/// The newest revision of an entry that is for sale; 0: there is none.
 std::uint64_t newest_for_sale(const Ledger& ledger);
 
-/// Something has no owner; what has one counts where somebody has `joined`, what nobody could do
-/// also where it is to be called `again`.
+/// Whether a sale may change anything: a task is for sale; or a member has `joined` and a task is
+/// owned without a grant; or a task is unsold and a member has `joined` or `again` is set (a retry
+/// is due).
 bool worth_selling(const Ledger& ledger, bool joined, bool again);
 
 }  // namespace skein::auction

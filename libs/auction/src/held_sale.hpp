@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sale as its holder keeps it: who was asked, why it ended as it did, what of it goes into the
-// ledger.
+// A running sale as the token holder keeps it, with the reasons of its results.
 #pragma once
 
 #include <map>
@@ -12,9 +11,9 @@
 
 namespace skein::auction {
 
-constexpr int kSalesOfATerm = 24;  ///< bits of the number of a sale below its term's
+constexpr int kSalesOfATerm = 24;  ///< low bits of a sale number: sale within the term above them
 
-/// Names of members in what is said to people.
+/// Names of members for texts that people read; a member without a name is told by its number.
 struct MemberNames {
   std::map<MemberNumber, std::string> names;
 
@@ -24,13 +23,13 @@ struct MemberNames {
 
 struct HeldSale {
   Auctioneer auctioneer;
-  std::uint64_t revision;  ///< of the ledger when it began
-  std::map<TaskNumber, std::string> why{};
+  std::uint64_t revision;                   ///< of the ledger when the sale began
+  std::map<TaskNumber, std::string> why{};  ///< reason of each task's result, for people
 
-  /// Keeps in words what it says of tasks.
+  /// Records in `why` what the effect says about tasks.
   void explain(const SaleEffect& effect, const MemberNames& names);
-  /// What it sold, into the next ledger. What changed while it was being sold stays as it changed;
-  /// it is sold anew if need be.
+  /// Writes the results of the sale into the next ledger. Entries that changed during the sale keep
+  /// their change and may be sold anew.
   void book(Ledger& next) const;
 };
 

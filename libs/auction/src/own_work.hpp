@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a member does of its own: it wants its next tasks, begins what it was granted, says what
-// ended.
+// Execution of a member's own tasks: claims the next ones, begins granted ones, records ended ones.
 #pragma once
 
 #include <optional>
@@ -10,25 +9,30 @@
 
 namespace skein::auction {
 
-/// Who does what the ledger says that it owns, one task at a time. What must not be forgotten it
-/// writes on the member's disk, which its holder stores when a method says so (true).
+/// Runs the tasks that the ledger assigns to this member, one at a time. Changes the member's Disk;
+/// the caller has to store it when a method returns true or a claim.
 class OwnWork {
  public:
-  /// `disk` outlives it.
+  /// `disk` outlives this object.
   OwnWork(MemberNumber self, TeamLimits limits, Disk& disk)
       : self_(self), limits_(std::move(limits)), disk_(disk) {}
 
-  /// Under that sale, by this member: done, or given up.
+  /// Whether this member has done or given up the task under that sale or a later one.
   bool has_ended(const Claim& claim) const;
-  /// The next of its route that wait for nothing; all of them when it has been idle for long.
+  /// Claims for the next `limits.ahead` tasks of the route whose predecessors are done; for all
+  /// such tasks after an idle time of `limits.lease`, since routes that were sold in separate parts
+  /// of the team may wait for each other.
   std::vector<Claim> wants(MissionTime now) const;
 
+  /// The running task is done. False: `task` is not running.
   [[nodiscard]] bool done(TaskNumber task);
+  /// Gives a task of this member back for sale. False: the member does not own it.
   [[nodiscard]] bool put_back(const TaskPutBack& back);
-  /// A joint task that a partner gave up cannot be done any more.
+  /// Gives up this member's parts of joint tasks that a partner gave up, unless they are running.
+  /// True: there was one.
   [[nodiscard]] bool give_up_claims();
-  /// What it was granted first, by a ledger that a majority has up to `committed`: partners begin
-  /// in the same order. Nothing while something runs. What begins is to be stored.
+  /// Begins the task with the oldest grant of a revision up to `committed` (stored by a majority),
+  /// so that partners begin joint tasks in the same order. Nothing while a task is running.
   std::optional<Claim> begin_next(std::uint64_t committed, MissionTime now);
 
  private:

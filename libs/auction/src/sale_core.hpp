@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inside of an auctioneer.
+// Implementation of Auctioneer.
 #pragma once
 
 #include <map>
@@ -37,21 +37,21 @@ class Auctioneer::Core {
 
  private:
   enum class Phase { kIdle, kCalling, kAwarding, kEnded };
-  // What the books would be after a round.
+  // The allocation that a round would lead to, not booked before all winners accept.
   struct Deal {
     Draft draft;
-    std::vector<std::size_t> routes;  ///< of the draft, as indexes of the books
+    std::vector<std::size_t> routes;  ///< for each route of the draft, its index in members_
     std::vector<Decided> decided;
-    std::map<std::size_t, Answer> taken;  ///< by index of the books
-    std::set<std::size_t> awaited;
+    std::map<std::size_t, Answer> taken;  ///< acceptances, by index in members_
+    std::set<std::size_t> awaited;        ///< members that have not answered their award
   };
   struct Member {
     BookedRoute route;
     std::vector<double> starts;
     double cost = 0, end = 0;
-    bool present = true;  ///< answers
-    std::map<TaskNumber, std::string> objections;
-    std::set<TaskNumber> vetoes;  ///< offered, won and refused
+    bool present = true;                           ///< false: did not answer a call or an award
+    std::map<TaskNumber, std::string> objections;  ///< reasons why it cannot do a task
+    std::set<TaskNumber> vetoes;                   ///< it bid for them, won and refused the award
     Abilities abilities = 0;
   };
 
@@ -85,14 +85,14 @@ class Auctioneer::Core {
   Phase phase_ = Phase::kIdle;
   std::vector<Member> members_;
   std::map<MemberNumber, std::size_t> index_;
-  std::vector<TaskNumber> to_sell_;    ///< not yet offered, in order
-  std::vector<TaskNumber> left_over_;  ///< offered and not sold
-  std::set<TaskNumber> had_members_;   ///< sold before
+  std::vector<TaskNumber> to_sell_;    ///< on sale in a later round, in order
+  std::vector<TaskNumber> left_over_;  ///< on sale before and not sold
+  std::set<TaskNumber> had_members_;   ///< sold before, or held when the sale began
   std::uint32_t round_ = 0, without_gain_ = 0;
   MissionTime closes_, say_again_;
-  std::map<std::size_t, ToMember> said_;  ///< in this phase, for who does not answer
-  std::vector<TaskNumber> items_;         ///< of this round
-  bool selling_ = false;                  ///< this round sells what has no members, else it trades
+  std::map<std::size_t, ToMember> said_;  ///< last message of this phase by member, for repetition
+  std::vector<TaskNumber> items_;         ///< on sale in this round
+  bool selling_ = false;                  ///< the round sells tasks without members; else it trades
   std::set<std::size_t> awaited_;
   std::map<std::size_t, Offer> offers_;
   std::map<std::size_t, BookedRoute> without_items_;

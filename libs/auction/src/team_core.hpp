@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inside of a team member: token, ledger, sales. Its own work is OwnWork.
+// Implementation of TeamMember: token, ledger and sales. Its own tasks run in OwnWork.
 #pragma once
 
 #include <deque>
@@ -16,11 +16,13 @@
 
 namespace skein::auction {
 
-/// Follower, without a beat for its patience: candidate, asking on trial.
-/// Candidate, if a majority would vote for it: asks in earnest.
-/// Candidate, once a majority voted for it: holder, with a ledger of its term.
-/// Anyone who hears of a higher term: follower.
-/// Holder that hears no majority for its patience: follower.
+/// Roles, and the events that change them (election as in Raft, with a pre-vote):
+/// - follower to candidate: no beat of the holder for TeamLimits::patience; asks for trial votes,
+///   which do not change terms.
+/// - candidate on trial to candidate: a majority would vote for it; asks for votes in a new term.
+/// - candidate to holder: a majority has voted for it; it continues the ledger in its term.
+/// - any to follower: a message of a higher term.
+/// - holder to follower: no messages of a majority for TeamLimits::patience.
 class TeamMember::Core {
  public:
   explicit Core(TeamSetup setup);
@@ -34,10 +36,10 @@ class TeamMember::Core {
   enum class Role { kFollower, kCandidate, kHolder };
   struct Known {
     MissionTime heard;
-    std::uint64_t revision = 0;  ///< the greatest that it had
-    std::uint64_t last = 0;      ///< as last said: less, once it forgot
+    std::uint64_t revision = 0;  ///< greatest ledger revision that the member reported
+    std::uint64_t last = 0;      ///< last reported one: less if it restarted without its disk
     bool bids = true;
-    std::optional<Status> news;  ///< not yet looked at
+    std::optional<Status> news;  ///< last status that is not yet in the ledger
   };
 
   // token.cpp
@@ -59,7 +61,7 @@ class TeamMember::Core {
   std::set<MemberNumber> heard_since(MissionTime since) const;
   std::vector<MemberNumber> others() const;
 
-  // keeping.cpp: what a holder does to the ledger
+  // keeping.cpp: changes that the holder makes to the ledger
   void keep_ledger();
   void take_status(MemberNumber member, const Status& status);
   void admit(const GivenMission& mission);
@@ -87,7 +89,7 @@ class TeamMember::Core {
 
   TeamSetup setup_;
   Disk disk_;
-  OwnWork own_;  ///< by that disk
+  OwnWork own_;  ///< works on disk_
   MemberNames names_;
   Random random_;
   Role role_ = Role::kFollower;
@@ -100,18 +102,19 @@ class TeamMember::Core {
   std::map<MemberNumber, Known> known_;
   std::uint64_t committed_ = 0;
   bool changed_ = false;
-  std::set<MemberNumber> took_part_;  ///< in the last sale held here
+  std::set<MemberNumber> took_part_;  ///< members of the last sale that this member held
   std::optional<HeldSale> sale_;
   std::uint64_t sales_ = 0;
-  /// With which it bids in one sale: from where it was when that began, since in flight every round
-  /// would look like a gain, and the sale would not end.
+  /// The craft with which this member bids during one sale. It starts at the vehicle's position
+  /// when the sale began: with the current position of a vehicle in flight every round would look
+  /// like a gain, and the sale would not end.
   struct Bidding {
     SaleNumber sale;
     std::unique_ptr<const Craft> craft;
   };
   std::optional<Bidding> bidding_;
-  std::deque<ToMember> own_calls_;                    ///< of the sale held here
-  std::map<MemberNumber, std::vector<Claim>> wants_;  ///< as last said
+  std::deque<ToMember> own_calls_;                    ///< from the own auctioneer to this member
+  std::map<MemberNumber, std::vector<Claim>> wants_;  ///< last claims of each member
   std::set<MemberNumber> declared_lost_;
   bool stored_ = false, started_ = false, bids_ = true;
   TeamEffects effects_;

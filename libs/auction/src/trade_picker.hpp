@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is put back on sale together, and who is asked.
+// Chooses the tasks of a trade and the members that are called for it.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,20 @@
 
 namespace skein::auction {
 
-/// Tasks near each other, more often of who ends last where that counts: what could be exchanged.
-/// Source: Shaw 1998 (relatedness).
+/// Chooses tasks near each other, since those can be exchanged with gain. With a probability of
+/// half the aim's equity the first of them belongs to the route that ends last. Source: Shaw 1998
+/// (relatedness).
 class TradePicker {
  public:
   TradePicker(const Catalogue& catalogue, Aim aim, const SaleLimits& limits, std::uint64_t seed);
 
-  /// At most `limits.trade` tasks that may move, none if there are none; `first` are among them.
+  /// At most max(2, `limits.trade`) tasks, beginning with those of `first` (as many as
+  /// `limits.trade`); the others are drawn from the tasks that are not fixed. Empty: there are
+  /// none.
   std::vector<TaskNumber> items(const std::vector<BookedRoute>& books, std::size_t last_to_end,
                                 const std::vector<TaskNumber>& first);
-  /// Indexes of routes: owners of the items, then owners of what lies near, then by chance.
+  /// Indexes of the routes to call, about `limits.called`: the owners of the items, then the owners
+  /// of the tasks nearest to an item, and one at random.
   std::set<std::size_t> called(const std::vector<BookedRoute>& books,
                                const std::vector<TaskNumber>& items);
   Random& random() { return random_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Winner determination: which items go where, all offers on the table.
+// Winner determination: assigns the items of a round from all offers.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,16 @@
 
 namespace skein::auction {
 
-/// An item as it was sold, and what the next best group would have made of it at that moment.
+/// The placing of a sold item, and that of the next best group at the same moment.
 struct Decided {
   Placing placing;
   std::optional<Placing> next_best;
 };
 
-/// Tries several orders of sale and leaves in the draft the best found: all orders of at most three
-/// items; of more, the one with most to lose first, the cheapest first, and random orders. Items
-/// that no order could place stay out. Source: Koenig 2008 (regret); notes, team 2.
+/// Greedy insertion in several orders of the items; leaves the best result in the draft. At most
+/// three items: all orders; more: by largest regret, by lowest price, and in
+/// `orders` random orders. Items that cannot be placed stay out. Source: Koenig 2008 (regret);
+/// notes, team 2.
 std::vector<Decided> determine_winners(Draft& draft, Random& random, std::size_t orders);
 
 }  // namespace skein::auction
