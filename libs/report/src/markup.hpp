@@ -38,7 +38,7 @@ class Markup {
   Markup& text(std::string_view text);
   /// The tool tip of the open SVG element.
   Markup& title(std::string_view text) { return element("title", {}, text); }
-  /// A finished piece, as it is.
+  /// Inserts finished markup unescaped.
   Markup& raw(std::string_view piece);
   Markup& line_break();
 

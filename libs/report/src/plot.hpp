@@ -65,12 +65,12 @@ class LabelPlacer {
   };
 
   explicit LabelPlacer(Box area) : area_(area) {}
-  /// Nothing will be placed over this.
+  /// Reserves a box that labels must not overlap.
   void block(const Box& box) { taken_.push_back(box); }
-  /// Labels keep off this point where they can.
+  /// Adds a point that labels should not cover.
   void avoid(Point p) { avoided_.push_back(p); }
-  /// The place near a point, whose own mark has the given radius, that is free and covers the least
-  /// of what to avoid (the right-hand side, if all are equal); none when all are taken.
+  /// Reserves the free place beside the mark at `at` (of the given radius) that covers the fewest
+  /// points to avoid; preferably on the right-hand side. Nothing: no place is free.
   std::optional<Placed> place(Point at, double radius, std::string_view text, double font_size);
 
  private:

@@ -7,13 +7,14 @@
 
 namespace skein::report {
 
-/// Fixed decimals without trailing zeros and without "-0"; "0" for what is not finite.
+/// At most `decimals` decimals, without trailing zeros and without "-0"; "0" for a non-finite
+/// value.
 std::string short_number(double value, int decimals = 1);
 
-/// Exactly so many decimals: "12.0". A dash for what is not finite.
+/// Exactly `decimals` decimals: "12.0". A dash for a non-finite value.
 std::string fixed_number(double value, int decimals);
 
-/// With a thin space between thousands: "12 345".
+/// A count with a thin space between thousands: "12 345".
 std::string grouped(std::size_t value);
 
 /// Minutes and seconds, with hours when there are any: "4:05", "1:00:07", "-0:10".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tasks that roles of joint tasks asked for: of which role and block, why, and what became of them.
+// Elementary tasks that roles of joint tasks requested: role, block, condition, and outcome.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,15 @@ struct RoleTaskStory {
   std::string uav;
   std::uint64_t task = 0;
   std::string type;
-  std::uint64_t of = 0;  ///< the task of the joint task in the UAV's plan
+  std::uint64_t of = 0;  ///< id of the plan's task that stands for the joint task
   std::string joint, role, componel, block;
   std::string because;                  ///< the condition under which the block began; empty: none
-  double asked = 0.0;                   ///< [s]
+  double asked = 0.0;                   ///< when the role requested the task [s]
   std::optional<double> started, over;  ///< [s]
-  std::string outcome, reason;          ///< as its executive said
+  std::string outcome, reason;          ///< from the UAV's executive
 };
 
-/// In the order in which they were asked for, of all UAVs. Precondition: the journal is in time
-/// order.
+/// Of all UAVs, in the order of the requests. Precondition: the journal is in time order.
 std::vector<RoleTaskStory> tell_role_tasks(const Journal& journal);
 
 void write_role_task(std::ostream& out, const RoleTaskStory& story);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands on the map: places, fires, alarms, view points, landings, times along the way.
+// Marks of the map: places, fires, alarms, view points, landings, times along the tracks.
 #pragma once
 
 #include "page/views.hpp"

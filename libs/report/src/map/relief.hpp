@@ -15,7 +15,7 @@ namespace skein::report {
 bool is_usable(const TerrainGrid& grid);
 
 /// Relief of `view`, lit from the north-west: the hue by height, the shade by slope (exaggerated
-/// until the steepest slope shows). Outside the grid its edge goes on.
+/// until the steepest slope shows). Outside the grid the value at its edge is used.
 /// Preconditions: the grid is usable; the view has an area. Source: Horn 1981 (hill shading).
 drawing::Pixels shaded_relief(const TerrainGrid& grid, const Extents& view, std::size_t width,
                               std::size_t height);

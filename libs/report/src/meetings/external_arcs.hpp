@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// External arcs between the plans of UAVs, as they were flown.
+// Executed external arcs: precedences between tasks of different UAVs, with their actual dates.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,22 @@
 
 namespace skein::report {
 
-/// One goes on only after another has come (a synchronisation, a joint task) or has left its air.
+/// UAV `to` continues only after UAV `from` has arrived (at a synchronisation or joint task) or has
+/// left the air that `to` needs.
 struct ExternalArc {
-  std::string what;              ///< "sync 500", "joint task", "air"
-  std::size_t from = 0, to = 0;  ///< indices into Chronology::uavs: who comes, who waits for it
-  double comes = 0, goes_on = 0;
-  /// By when others needed it there, as it was told last before it came, and who.
+  std::string what;               ///< "sync 500", "joint task", "air"
+  std::size_t from = 0, to = 0;   ///< indices into Chronology::uavs
+  double comes = 0, goes_on = 0;  ///< [s] arrival of `from`, continuation of `to`
+  /// The date [s] by which a UAV (`needed_by`) needed `from` there, as last told before the
+  /// arrival.
   std::optional<double> needed;
   std::string needed_by;
 
-  /// So much later it could have come without making the other later [s], >= 0; 0: it was waited
-  /// for.
+  /// How much later `from` could have arrived without delaying `to` [s], >= 0; 0: `to` waited.
   double slack() const { return goes_on - comes; }
 };
 
-/// In the order of `goes_on`. Of joint tasks and of air only the one who came, or left, last is
+/// In the order of `goes_on`. For joint tasks and air only the UAV that arrived or left last is
 /// known.
 std::vector<ExternalArc> external_arcs_of(const Journal& journal, const Chronology& story);
 

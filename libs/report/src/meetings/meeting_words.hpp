@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What UAVs said that they knew of those whom they are to meet (records of the kind "meeting").
+// Estimated arrival dates of the partners of a meeting, as known to a waiting UAV (records of the
+// kind "meeting").
 #pragma once
 
 #include <cstdint>
@@ -13,19 +14,19 @@
 
 namespace skein::report {
 
-/// What was known from an instant on; all instants [s].
+/// What a UAV knew of a meeting from `t` on; all instants [s] of mission time.
 struct MeetingWord {
   double t = 0;
-  bool known = false;                      ///< false: nothing any more
-  bool there = false;                      ///< all have come, or have left
-  bool air = false;                        ///< others are to leave it, not to come
-  std::string last;                        ///< who comes, or leaves, last
-  std::optional<double> soonest, slowest;  ///< between when; none: no figure bounds it
-  std::optional<double> needed;            ///< by when another needs it there
+  bool known = false;                      ///< false: nothing is known any more
+  bool there = false;                      ///< all partners have arrived, or have left
+  bool air = false;                        ///< partners have to leave air, instead of arriving
+  std::string last;                        ///< the partner that arrives, or leaves, last
+  std::optional<double> soonest, slowest;  ///< bounds of that arrival; none: unbounded
+  std::optional<double> needed;            ///< date by which `needed_by` needs this UAV there
   std::string needed_by;
 };
 
-/// By UAV (its index into Chronology::uavs) and number of the meeting, in the order of time.
+/// Key: the UAV (index into Chronology::uavs) and the number of its meeting. Words in time order.
 using MeetingRow = std::pair<std::size_t, std::uint64_t>;
 using MeetingRows = std::map<MeetingRow, std::vector<MeetingWord>>;
 

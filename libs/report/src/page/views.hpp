@@ -41,17 +41,18 @@ struct MapFrame {
   Point operator()(const Position& p) const { return (*this)(p.x, p.y); }
 };
 
-/// Frames all that happened, with a margin; the given extents when nothing did.
+/// The frame of the map: the extents of everything that happened, with a margin; the run's extents
+/// when nothing happened.
 MapFrame frame_map(const RunInfo& info, const Chronology& story);
 
 void write_map(Markup& out, const Run& run, const MapFrame& frame);
-/// Parts of shared areas, places of roles, and where constraints were violated: a part of the map.
+/// Map layer: parts of partitioned areas, places of roles, and violations of spatial constraints.
 void write_joint_map(Markup& out, const Run& run, const MapFrame& frame);
-/// Air that was reserved, each piece for its time: a part of the map.
+/// Map layer: the reserved air volumes, each shown during its reservation.
 void write_air_map(Markup& out, const Run& run, const MapFrame& frame);
 void write_map_legend(Markup& out, const Run& run);
 
-/// So many messages are drawn only on request: they would hide the rest.
+/// Whether the timeline hides messages until the reader asks for them, because there are too many.
 bool hides_messages(const Chronology& story);
 
 /// The drawing with the common time axis: tasks, links, profiles.
@@ -66,16 +67,16 @@ void write_message_table(Markup& out, const Run& run);
 void write_link_table(Markup& out, const Run& run);
 void write_event_list(Markup& out, const Run& run);
 
-/// High-level tasks, decisions, and elementary tasks planned against done: nothing where there are
-/// none.
+/// High-level tasks, and elementary tasks as planned and as executed. Without them writes nothing,
+/// as do the next functions without their content.
 void write_goal_table(Markup& out, const Run& run);
 void write_decision_table(Markup& out, const Run& run);
-/// Who offered what for each task of the team. Nothing where there was no auction.
+/// The bids for each task of the team. Nothing when there was no auction.
 void write_auction_table(Markup& out, const Run& run);
-/// Negotiations of joint tasks as sequence diagrams: nothing where there are none.
+/// Negotiations of joint tasks as sequence diagrams. Nothing when there were none.
 void write_negotiations(Markup& out, const Run& run);
 void write_explained_tasks(Markup& out, const Run& run);
-/// The ways that were planned, under those that were flown.
+/// Map layer below the tracks: the planned paths.
 void write_planned_ways(Markup& out, const Run& run, const MapFrame& frame);
 
 /// The tracks and tasks that the page's script needs, as JSON.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strict reading of one JSON object: every fault is told, and the keys nobody asked for are kept.
+// Strict reading of one JSON object: every fault is reported, and unknown keys are kept.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@
 
 namespace skein::report {
 
-/// Numbers beyond this magnitude are refused: nothing in a mission is that large.
+/// Numbers of a larger magnitude are faults, since no figure of a mission is that large.
 inline constexpr double kLargestNumber = 1e9;
 inline constexpr double kLatestSecond = 1e8;
 
-/// Reads the fields of `object`, which must outlive it. A field that is missing or wrong adds a
+/// Reads the fields of `object`, which must outlive the reader. A missing or wrong field adds a
 /// diagnostic and reads as a default, so that one pass finds all the faults.
 class FieldReader {
  public:
@@ -47,7 +47,7 @@ class FieldReader {
     Line::fields(read, [this](const char* key, auto& value) { take(key, value); });
     return read;
   }
-  // What the value of a key, read already, stands for.
+  // Conversions of a key's value that has been read already.
   /// The index of the text in `names`.
   std::size_t one_of(const char* key, const std::string& text,
                      std::span<const std::string_view> names);
@@ -58,23 +58,23 @@ class FieldReader {
   /// A flat list: x, y, z, …
   std::vector<Position> positions(const char* key, const std::vector<double>& numbers);
 
-  /// The fields that nobody asked for, as JSON text; empty if there is none.
+  /// The fields that no other method has read, as JSON text; empty if there is none.
   std::string rest() const;
 
  private:
   const nlohmann::json* find(const char* key);
   const nlohmann::json* require(const char* key);
-  /// A key is told wrong once.
+  /// Adds a diagnostic, only the first one for each key.
   void fault(const char* key, std::string message, std::string expected, std::string nearest = {});
 
-  // What a key must have. An identifier of 2^63 or more is decimal text in the log.
+  // Required fields. An identifier of 2^63 or more is decimal text in the log.
   void take(const char* key, bool& to) { to = boolean(key); }
   void take(const char* key, double& to) { to = number(key); }
   void take(const char* key, journal::Text& to) { to = text(key); }
   void take(const char* key, std::int64_t& to) { to = integer(key); }
   void take(const char* key, std::uint64_t& to);
   void take(const char* key, std::vector<double>& to);
-  // What may be absent, or null.
+  // Optional fields, which may be absent or null.
   void take(const char* key, journal::OptionalText& to) { to = optional_text(key); }
   template <class T>
   requires journal::kMayBeLeftOut<T>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the event log tells of the air of ways. Source: spec 6.4.
+// Reservations of air for paths (plan merging), from the event log. Source: spec 6.4.
 #pragma once
 
 #include <string>
@@ -16,18 +16,18 @@ struct AirPiece {
   double radius = 0, floor = 0, ceiling = 0;
 };
 
-/// A motion that waits for its air, or has it.
+/// A motion during which the state of its reservation does not change.
 struct AirUse {
   std::size_t uav = 0;
   Span span;
   std::string state;  ///< waits, had, aside, unasked; ahead: beside what it flies
   std::string what;   ///< "7 goto"
-  std::string why;    ///< whom it waits for, or how much higher it flies
+  std::string why;    ///< the peers it waits for, or its additional height
   std::vector<AirPiece> pieces;
   bool ends_in_the_air = false;
 };
 
-/// In the order of the log; who waits again in another way is told again.
+/// In the order of the log; a wait with changed reasons is a further entry.
 std::vector<AirUse> tell_air(const Journal& journal, const Chronology& story);
 
 }  // namespace skein::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What happened, put together from single records: bars, tracks, spans, flights of messages.
+// The course of a run, assembled from log records: task bars, tracks, spans, message transmissions.
 #pragma once
 
 #include <map>
@@ -33,8 +33,8 @@ struct TaskBar {
   std::size_t uav = 0;  ///< index into Chronology::uavs
   std::uint64_t id = 0;
   std::string type;
-  std::string componel = {};          ///< of the role of a joint task that asked for it
-  std::vector<TaskSegment> segments;  ///< adjoining, in time order; none of a terminal state
+  std::string componel = {};          ///< that asked for the task, in a role of a joint task
+  std::vector<TaskSegment> segments;  ///< adjoining, in time order; without terminal states
   Span span;
   std::optional<TaskState> outcome;  ///< kEnded or kAborted; none: still alive when the log ends
   std::string reason;
@@ -54,7 +54,7 @@ struct TrackPoint {
   bool airborne = false;
 };
 
-/// What is known of one UAV.
+/// One UAV over the run, from its records.
 struct UavStory {
   std::string name;
   std::string model;
@@ -62,7 +62,7 @@ struct UavStory {
   std::vector<TrackPoint> track;                ///< time order, instants all different
   std::vector<std::pair<double, int>> degrees;  ///< changes: instant, new degree
 
-  /// Never in the air: what way it has is over the ground.
+  /// Whether it was never airborne, so that its track is a path on the ground.
   bool keeps_to_ground() const;
 };
 
@@ -79,25 +79,25 @@ struct Flight {
   std::uint64_t sequence = 0;
   std::optional<double> sent;
   std::optional<double> received;
-  std::optional<SessionName> session = {};  ///< that it is about
+  std::optional<SessionName> session = {};  ///< the negotiation that the message belongs to
 };
 
 /// Truth and belief about one pair of nodes; `first` < `second`.
 struct LinkStory {
   std::string first;
   std::string second;
-  std::vector<Span> up[2];         ///< first to second, second to first
-  std::vector<Span> believed[2];   ///< second reachable for first, first reachable for second
-  std::vector<Span> relayed[2];    ///< what goes past relays: first to second, second to first
-  bool truth[2] = {false, false};  ///< whether the log says anything of that direction
-  bool belief[2] = {false, false};
+  std::vector<Span> up[2];          ///< first to second, second to first
+  std::vector<Span> believed[2];    ///< second reachable for first, first reachable for second
+  std::vector<Span> relayed[2];     ///< traffic via a relay: first to second, second to first
+  bool truth[2] = {false, false};   ///< whether the log has link records of that direction
+  bool belief[2] = {false, false};  ///< whether the log has reach records of that direction
 };
 
 struct AlarmStory {
   std::uint64_t id = 0;
   Position position;  ///< the last estimate
   double belief = 0.0;
-  AlarmState state = AlarmState::kRaised;  ///< the last
+  AlarmState state = AlarmState::kRaised;  ///< the last one
   std::vector<std::pair<double, AlarmState>> steps;
 };
 
@@ -128,7 +128,7 @@ Chronology tell(const RunInfo& info, const Journal& journal);
 /// The state of a track at `t`, linear between its points; none outside it.
 std::optional<TrackPoint> at(const std::vector<TrackPoint>& track, double t);
 
-/// The same between two points, `a` not later than `b`.
+/// The state at `t` between two track points. Precondition: `a` is not later than `b`.
 std::optional<TrackPoint> between(const TrackPoint& a, const TrackPoint& b, double t);
 
 }  // namespace skein::report

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was planned, put beside what was done.
+// The course of deliberation: planned tasks with their execution, high-level tasks with their
+// states.
 #pragma once
 
 #include <map>
@@ -15,24 +16,25 @@ namespace skein::report {
 /// A task of a UAV: its name and the task's id.
 using TaskKey = std::pair<std::string, std::uint64_t>;
 
-/// One task that a plan ever held.
+/// A task of any plan revision, as planned and as executed.
 struct Promise {
-  /// As the last revision had it before it started; as the last one had it, if it never did.
+  /// The task in the last revision before its start; if it never started, in the last revision that
+  /// contains it.
   const PlannedRecord* planned = nullptr;
   std::optional<double> started, over;  ///< [s]
   std::string outcome;                  ///< "ended", "aborted"; empty: none
   std::string reason;                   ///< of the abort
 };
 
-/// A high-level task and what became of it.
+/// A high-level task with its states over time.
 struct GoalStory {
   std::string uav;
-  const GoalRecord* first = nullptr;                   ///< with statement and who asked
-  std::vector<std::pair<double, std::string>> states;  ///< [s]; a state once in succession
+  const GoalRecord* first = nullptr;                   ///< has the statement and the requester
+  std::vector<std::pair<double, std::string>> states;  ///< [s]; repetitions left out
   std::string why;                                     ///< the last reason given
 };
 
-/// Points into the journal it was told from.
+/// Holds pointers into the journal that it was made from.
 struct Deliberation {
   std::map<TaskKey, Promise> promises;
   std::vector<GoalStory> goals;  ///< in the order first heard of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What vehicles told each other, for the figures.
+// Synchronisations and temporal messages between vehicles, for the figures.
 #pragma once
 
 #include <string>
@@ -9,26 +9,28 @@
 
 namespace skein::report {
 
-/// Two who synchronised.
+/// A synchronisation of two UAVs.
 struct Encounter {
   std::string id;
   std::size_t one = 0, other = 0;             ///< indices into Chronology::uavs
-  double one_through = 0, other_through = 0;  ///< when each was there and had heard the other
+  double one_through = 0, other_through = 0;  ///< [s] when each had sent and received the last sync
+  /// When both had passed the synchronisation [s].
   double t() const { return one_through > other_through ? one_through : other_through; }
 };
-/// By time.
+/// In time order.
 std::vector<Encounter> encounters_of(const Chronology& story);
 
-/// A frontier of one's plan, and who heard it within a second of the first.
+/// A frontier of a UAV's plan that it sent to others, with all that received it within one second
+/// of the first reception.
 struct TemporalMessage {
-  double t = 0;  ///< when it was first heard
+  double t = 0;  ///< first reception [s]
   std::size_t sender = 0;
   std::vector<std::size_t> heard_by;
 };
-/// By time.
+/// In time order.
 std::vector<TemporalMessage> temporal_messages_of(const Journal& journal, const Chronology& story);
 
-/// Of the rows of the figures: twelve that differ, then again from the first.
+/// The colour of a row of the figures: twelve distinct ones, repeated from the thirteenth row on.
 const char* figure_colour(std::size_t row);
 
 }  // namespace skein::report

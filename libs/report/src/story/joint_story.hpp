@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Joint tasks: who played which role when, which constraints were violated, how it was negotiated.
+// Joint tasks: roles of the UAVs over time, violations of spatial constraints, negotiations.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace skein::report {
 
-/// A stretch of a joint task at one UAV in which nothing of this changed.
+/// A span of a joint task at one UAV with constant phase, role and blocks.
 struct JointSegment {
   std::string phase;  ///< loading, loaded, running, leaving
   std::string role;   ///< empty: not agreed
@@ -24,14 +24,14 @@ struct JointStory {
   std::string end, why;  ///< ended, aborted, not-loaded; empty: not over
 };
 
-/// While a spatial constraint was violated.
+/// A span during which a spatial constraint was violated.
 struct ViolationStory {
   std::string uav, role, scm;
   std::string what;  ///< "distance to R1 104.2, required < 100"
   Span span;
 };
 
-/// Where a role was sent, and under which constraints.
+/// A place that was chosen for a role, and the constraints that it satisfies.
 struct RolePlaceStory {
   double t = 0.0;
   std::string uav, role, parameter;
@@ -40,7 +40,7 @@ struct RolePlaceStory {
   Position position;
 };
 
-/// Who maps which part of an area that was shared.
+/// A UAV's part of an area that was partitioned among several UAVs.
 struct PartStory {
   double t = 0.0;
   std::string uav;
@@ -54,13 +54,13 @@ struct SessionStep {
   std::string what;   ///< offer, result or reason
 };
 
-/// A negotiation, as its members told of it.
+/// One negotiation session, from the lines of its members.
 struct SessionStory {
   SessionName name;
   std::string modality;
-  std::vector<std::string> members;  ///< who told of it or sent a message, by name
+  std::vector<std::string> members;  ///< UAVs with a line or a message of the session, by name
   std::vector<SessionStep> steps;    ///< time order
-  std::vector<Flight> messages;      ///< about it between them; where none says so: meanwhile
+  std::vector<Flight> messages;      ///< of the session; if none names it, those sent meanwhile
 };
 
 struct JointTasks {
@@ -71,7 +71,7 @@ struct JointTasks {
   std::vector<PartStory> parts;        ///< time order
 };
 
-/// Lines that lack what is needed are left out. Precondition: the journal is in time order.
+/// Incomplete lines are left out. Precondition: the journal is in time order.
 JointTasks tell_joint_tasks(const Journal& journal, const Chronology& story);
 
 }  // namespace skein::report

@@ -14,7 +14,7 @@ namespace skein::report {
 
 struct UavFigures {
   double distance =
-      0.0;  ///< [m]: the length of the track while airborne; of one that never is, all
+      0.0;  ///< [m] length of the track while airborne; of the whole track if never airborne
   double airborne = 0.0;               ///< [s]
   std::optional<double> max_altitude;  ///< [m] ENU, of the whole track
   double max_speed = 0.0;              ///< [m/s]
@@ -41,7 +41,7 @@ struct ChannelFigures {
   std::vector<double> latencies;  ///< [s], ascending
 };
 
-/// Slot, from, to. Losses name no sender: theirs is the node that wrote the record.
+/// Slot, from, to. A record of a loss names no sender: `from` is then the node that wrote it.
 using ChannelKey = std::tuple<std::string, std::string, std::string>;
 
 struct Statistics {

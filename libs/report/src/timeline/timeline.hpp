@@ -10,9 +10,10 @@
 
 namespace skein::report {
 
-/// The paper that the panels write on, each at `y`, which it then moves below itself.
-/// The page's script zooms the time axis by rewriting x of what stands in `plot`: rectangles,
-/// lines, texts, and groups of the class "at" (which it moves); paths stand in a group "stretch".
+/// The drawing to which the panels add themselves. Each panel begins at `y` and moves `y` to its
+/// lower end.
+/// The page's script zooms the time axis by rewriting the x of rectangles, lines, texts, and groups
+/// of the class "at" in `plot`; paths have to be in a group of the class "stretch".
 struct Sheet {
   static constexpr double kWidth = 1232.0;
   static constexpr double kLeft = 132.0;
@@ -23,19 +24,20 @@ struct Sheet {
   const Run& run;
   Axis x;         ///< mission time to pixels
   Markup labels;  ///< left of the plot
-  Markup under;   ///< the plot's lower layer: messages, hidden by what stands on it
+  Markup under;   ///< the plot's lower layer, below `plot`: messages
   Markup plot;
   double y = 0.0;
   std::map<std::string, double> rails;  ///< of each node: where its messages start and arrive
 
   /// The panel's name above its left edge.
   void heading(std::string_view text);
-  /// Of a row, left of it; cut where it is long.
+  /// The name of a row, left of the plot; shortened if it is long.
   void row_name(double base_line, const std::string& text);
   void gutter(double base_line, std::string_view text, std::string_view style);
   /// A horizontal bar over a span of time, at least 0.6 px long.
   void bar(const Span& span, double top, double height, std::string_view style);
-  /// A mark at an instant, drawn around (0, 0); left open for its title and content.
+  /// Opens a group at an instant for a mark drawn around (0, 0); the caller adds title and content
+  /// and closes it.
   void open_mark(double t, double height, std::string_view style);
 };
 
@@ -45,17 +47,17 @@ void draw_ground_row(Sheet& sheet);
 void draw_uav_rows(Sheet& sheet);
 /// Synchronisations and messages between the rails.
 void draw_arrows(Sheet& sheet);
-/// Who goes on only after another has come, or left its air, from rail to rail, with their slack.
+/// Executed external arcs (external_arcs.hpp) with their slack, from rail to rail.
 void draw_external_arcs(Sheet& sheet);
-/// What UAVs told each other of their plans, from rail to rail.
+/// Temporal messages (frontiers of plans) between UAVs, from rail to rail.
 void draw_temporal_messages(Sheet& sheet);
 /// Roles and blocks of joint tasks by UAV, and violations of their constraints.
 void draw_joint_rows(Sheet& sheet);
-/// Who owned each task of the team when, and why.
+/// Owners of each task of the team over time, with the reasons.
 void draw_team_rows(Sheet& sheet);
-/// Who waited for the air of a way, for whom, and who had it.
+/// Reservations of air by UAV: waits, with the peers waited for, and grants.
 void draw_air_rows(Sheet& sheet);
-/// When who waits for others was told that they come.
+/// Expected arrivals of the partners that each UAV waits for, as known over time.
 void draw_meeting_rows(Sheet& sheet);
 void draw_links(Sheet& sheet);
 /// Altitude, energy, separation.
@@ -67,9 +69,9 @@ struct PlacedBar {
   std::size_t lane = 0;
 };
 
-/// The least lanes, from the top, such that no two bars of a lane touch; `labels` also keeps the
-/// room that a label needs after its bar. Bars must be in the order of their beginnings.
-/// With `active_only` what was merely scheduled takes no room.
+/// Assigns each bar to the first lane from the top where neither it nor the label beside it touches
+/// another; with `active_only` without the scheduled part of bars. Precondition: bars are in the
+/// order of their starts.
 std::vector<PlacedBar> pack(const std::vector<const TaskBar*>& bars, const Axis& x,
                             bool active_only);
 

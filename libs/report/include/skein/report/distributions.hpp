@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How figures of many runs are spread: numbers, and a picture of them.
+// Distributions of figures over many runs: statistics, and a box plot.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace skein::report {
 
-/// Of a list of figures. Quantiles are interpolated linearly between neighbours in rank (Hyndman
+/// Statistics of a sample. Quantiles are interpolated linearly between neighbours in rank (Hyndman
 /// and Fan 1996, definition 7).
 struct Spread {
-  std::size_t count = 0;  ///< the others say nothing when it is 0
+  std::size_t count = 0;  ///< the other fields have no meaning when it is 0
   double mean = 0;
-  double deviation = 0;  ///< standard deviation of the sample (n - 1); 0 of one figure
+  double deviation = 0;  ///< standard deviation of the sample (n - 1); 0 for a single value
   double minimum = 0, lower_quartile = 0, median = 0, upper_quartile = 0, p95 = 0, maximum = 0;
 };
 
@@ -25,7 +25,7 @@ struct DistributionRow {
   std::vector<double> values;
 };
 
-/// One figure, of several series over one axis.
+/// One quantity of several series, over a common axis.
 struct DistributionPanel {
   std::string name, unit;
   std::vector<DistributionRow> rows;

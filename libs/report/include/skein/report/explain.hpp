@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a UAV did what it did, as text.
+// Explains a UAV's elementary tasks: where they came from and how they ended, as text.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace skein::report {
 
-/// For each elementary task of the UAV that a plan ever held, or for one of them: its high-level
-/// task and who asked for it, the methods that led to it, what it waited for and what ends it, and
-/// its dates: earliest and latest as promised when it started, and the actual ones. Above them the
-/// high-level tasks with what became of them; below, the decisions that concern the task (all of
-/// the UAV's, when no task is named). A task that a role of a joint task asked for: joint task,
-/// role, block, and the condition under which that began. Fails with the nearest name for a UAV
-/// that is not in the log, and for a task that no plan ever held and no role asked for.
+/// Explains all elementary tasks of the UAV that were ever in its plan, or only `task`: the
+/// high-level task and its requester, the HTN methods that led to it, start and stop conditions,
+/// earliest and latest dates as planned when it started, and actual dates. Above the tasks: the
+/// high-level tasks with their outcomes; below: the decisions that concern `task` (without `task`
+/// all decisions of the UAV). For a task that a role of a joint task requested: joint task, role,
+/// block, and the condition under which the block began. Fails, with the nearest name, for a UAV
+/// that is not in the log, and for a task that was never planned nor requested by a role.
 /// Precondition: the journal is in time order.
 Result<std::string, Failure> explain(const Journal& journal, const std::string& uav,
                                      std::optional<std::uint64_t> task);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures of a run for a paper: SVG documents that need nothing else, dark on white. Pure
-// functions.
+// Figures of a run for a paper: self-contained SVG documents, dark on white. Pure functions.
 #pragma once
 
 #include <string>
@@ -10,12 +9,13 @@
 
 namespace skein::report {
 
-/// Where all vehicles went, from above, with the places where they met. Source: M figure 6.
+/// The tracks of all vehicles, seen from above, with the places of their synchronisations. Source:
+/// M figure 6.
 std::string trajectories_svg(const RunInfo& info, const Journal& journal);
 
-/// What each vehicle did when, a row for each, and the temporal messages between them: one that all
-/// heard at about the same time is one vertical bar, with a dot at its sender and a tick at who
-/// heard it. Source: M figure 7.
+/// The tasks of each vehicle over time, a row for each vehicle, and the temporal messages between
+/// them: a message received by several vehicles within a second is one vertical bar, with a dot at
+/// the sender and a tick at each receiver. Source: M figure 7.
 std::string chronology_svg(const RunInfo& info, const Journal& journal);
 
 }  // namespace skein::report

@@ -18,8 +18,8 @@
 
 namespace skein::report {
 
-/// All the lines of an events.jsonl, by kind. After reading, each vector is in the order of mission
-/// time and, at equal times, of the file; one built by hand need not be.
+/// All lines of an events.jsonl, by kind. After reading, each vector is in the order of mission
+/// time and, at equal times, of the file; a journal built by hand need not be (sort_by_time).
 struct Journal {
   std::vector<TaskRecord> tasks;
   std::vector<RequestRecord> requests;
@@ -59,10 +59,10 @@ struct Journal {
   std::vector<Told<journal::lines::Place>> places;
   std::vector<Told<journal::lines::Negotiation>> negotiations;
   std::vector<OtherRecord> others;
-  std::size_t unreadable = 0;  ///< lines that were left out because they are wrong
+  std::size_t unreadable = 0;  ///< number of wrong lines, which were left out
 };
 
-/// All vectors of a Journal, which is const or not.
+/// References to all vectors of a Journal (const or not), as a tuple.
 auto records_of(auto& j) {
   return std::tie(j.tasks, j.requests, j.commands, j.syncs, j.messages, j.links, j.reaches,
                   j.routes, j.telemetry, j.objects, j.perceptions, j.alarms, j.phases, j.operators,
@@ -72,7 +72,7 @@ auto records_of(auto& j) {
                   j.scms, j.places, j.negotiations, j.others);
 }
 
-/// What could be read, and what was wrong with the other lines.
+/// The readable lines, and the errors of the others.
 struct SalvagedJournal {
   Journal journal;
   Diagnostics errors;
@@ -80,12 +80,12 @@ struct SalvagedJournal {
 
 /// Reads JSON lines. A line is wrong when it is not one JSON object of at most 64 levels, when a
 /// key that its kind needs is missing or of the wrong type, or when a number is out of range (times
-/// beyond ±1e8 s, other numbers beyond ±1e9): every fault of it is told, with its number. Unknown
-/// kinds and keys are no fault; they are kept. Empty lines are skipped.
+/// beyond ±1e8 s, other numbers beyond ±1e9): all its faults are reported, with the line number.
+/// Unknown kinds and keys are kept and are no faults. Empty lines are skipped.
 /// `name` is the file's name for the diagnostics. Cost: about 4 µs a line.
 SalvagedJournal salvage_journal(std::istream& in, std::string_view name);
 
-/// The same, where one wrong line is a failure.
+/// Like salvage_journal, but fails with all errors if any line is wrong.
 Result<Journal, Diagnostics> read_journal(std::istream& in, std::string_view name);
 
 /// Puts each vector in the order of mission time (stable).

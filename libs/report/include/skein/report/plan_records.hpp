@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lines about deliberation say: goals, plans, decisions.
+// Records of deliberation: high-level tasks, plans, decisions.
 #pragma once
 
 #include <optional>
@@ -42,8 +42,8 @@ struct PlannedRecord {
   std::optional<double> latest_start;  ///< absent: unbounded
   double earliest_end = 0.0;
   std::optional<double> latest_end;
-  std::string after;    ///< "ended 100, running 102"; empty: nothing
-  std::string stop;     ///< what ends it: "ended 102"
+  std::string after;    ///< start condition, "ended 100, running 102"; empty: none
+  std::string stop;     ///< stop condition, "ended 102"; empty: none
   std::string methods;  ///< "general-takeoff > fly"
   bool committed = false;
   std::vector<Position> way;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one line of a run's event log says, one struct per kind of line.
+// Typed records of a run's event log, one struct per kind of line.
 #pragma once
 
 #include <compare>
@@ -19,10 +19,10 @@ struct Position {
   bool operator==(const Position&) const = default;
 };
 
-/// What every line carries.
+/// Fields common to all lines.
 struct Stamp {
   MissionTime at;
-  std::string node;      ///< who wrote the line
+  std::string node;      ///< the node that wrote the line
   std::size_t line = 0;  ///< from 1 in the file; 0: not read from a file
   std::string extra;     ///< the keys this version does not know, as one JSON object; else empty
   bool operator==(const Stamp&) const = default;
@@ -88,10 +88,10 @@ struct MessageRecord {
   std::string to;
   std::uint64_t sequence = 0;
   Direction direction = Direction::kSent;
-  std::optional<SessionName> session = {};  ///< that it is about
+  std::optional<SessionName> session = {};  ///< the negotiation that the message belongs to
 };
 
-/// The radio really carries, or no longer carries, samples from one node to another.
+/// The radio link from one node to another is truly up or down.
 struct LinkRecord {
   Stamp stamp;
   std::string from;
@@ -106,25 +106,25 @@ struct ReachRecord {
   bool reachable = true;
 };
 
-/// What the writing node sends to a peer goes past a relay, or (via empty) directly again.
+/// The writing node sends to a peer via a relay from now on, or (`via` empty) directly.
 struct RouteRecord {
   Stamp stamp;
   std::string peer;
   std::string via;
 };
 
-/// Where a UAV truly is, from the simulator.
+/// The true state of a UAV, from the simulator.
 struct TelemetryRecord {
   Stamp stamp;
   std::string uav;
   Position position;
   Position velocity;     ///< [m/s]
   double heading = 0.0;  ///< [rad], counter-clockwise from east
-  double energy = 1.0;   ///< what is left, in [0, 1]
+  double energy = 1.0;   ///< remaining share of the capacity, in [0, 1]
   bool airborne = false;
 };
 
-/// Where a thing of the world truly is.
+/// The true state of an object of the world, from the simulator.
 struct ObjectRecord {
   Stamp stamp;
   std::string name;
@@ -132,12 +132,12 @@ struct ObjectRecord {
   Position position;
   double radius = 0.0;  ///< [m]
   bool active = true;
-  /// Of a fire that spreads: half its breadth [m]; `radius` is half its length, about `position`.
+  /// Half the breadth [m] of a spreading fire, whose half length is `radius`, around `position`.
   std::optional<double> breadth = {};
   std::optional<Position> ignition = {};
 };
 
-/// The ground received what a sensor saw.
+/// The ground station received detections of a UAV's sensor.
 struct PerceptionRecord {
   Stamp stamp;
   std::string uav;
@@ -212,7 +212,7 @@ struct ExpectationRecord {
   std::string seen;
 };
 
-/// A line that is shown as it was written (skein/journal/lines).
+/// A line in the form in which it was written (skein/journal/lines), with its stamp.
 template <class Line>
 struct Told {
   Stamp stamp;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a report needs to know of a run beside its event log: the file run.json of a run's folder.
+// Description of a run (file run.json of its folder), which a report needs beside the event log.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ struct TerrainGrid {
   double cell = 1.0;  ///< [m], > 0
   std::size_t width = 0;
   std::size_t height = 0;
-  std::vector<double> values;  ///< width × height of them
+  std::vector<double> values;  ///< width × height values [m], row by row
   bool operator==(const TerrainGrid&) const = default;
 };
 
@@ -57,7 +57,7 @@ struct Origin {
   bool operator==(const Origin&) const = default;
 };
 
-/// Air that was closed from an instant on, until another or the end of the run [s].
+/// A volume that was closed from `from` to `until` [s], or to the end of the run.
 struct ClosedAir {
   std::string name;
   std::vector<GroundPoint> polygon;
