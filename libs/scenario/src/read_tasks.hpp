@@ -11,7 +11,7 @@
 
 namespace skein::scenario {
 
-/// A mission or high-level task that something in the script is about.
+/// A reference in the script to a mission or high-level task.
 struct Reference {
   config::Reader at;
   std::string uav;
@@ -19,25 +19,25 @@ struct Reference {
   bool is_goal = false;
 };
 
-/// What tasks may refer to.
+/// The names and ids that tasks may refer to.
 struct TaskContext {
   const Scenario& scenario;
   Names names;
   const world::Terrain& terrain;
   /// Tasks planned so far, by UAV and id.
   std::set<std::pair<std::string, executive::TaskId>> planned = {};
-  /// Missions and high-level tasks sent so far, likewise.
+  /// Missions and high-level tasks sent so far, by UAV and id.
   std::set<std::pair<std::string, mission::MissionId>> missions = {};
   TaskMarks goals = {};
   TaskMarks played = {};
-  /// Global missions and their tasks, likewise.
+  /// Global missions and their tasks sent so far, by id.
   std::set<mission::MissionId> global_missions = {};
   std::set<mission::GoalId> team_tasks = {};
   std::vector<Reference> references = {};
-  bool live = false;  ///< asked while the mission runs: what was sent before is not known here
+  bool live = false;  ///< a request during the mission: ids sent earlier are not known here
 };
 
-/// A task for a UAV; empty: for one that is not known.
+/// Reads a task for `uav` (empty: the UAV is not known).
 ground_station::PlannedTask read_task(const config::Reader& reader, const std::string& uav,
                                       TaskContext& context);
 executive::Formula read_formula(const config::Reader& reader);
@@ -48,7 +48,7 @@ executive::TaskState read_task_state(const config::Reader& reader);
 std::vector<world::Vector3> read_points(const config::Reader& params, const TaskContext& context);
 /// {bearing, distance, altitude}.
 ground_station::NearAlarm read_near_alarm(const config::Reader& reader);
-/// The number that a scalar says, in silence if it says none.
+/// The value of a scalar if it is a number; reports no error otherwise.
 std::optional<double> number_in(const config::Reader& reader);
 
 }  // namespace skein::scenario

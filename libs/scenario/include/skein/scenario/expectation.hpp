@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scenario expects of a run, checked on its event log.
+// Expectations of a scenario, checked on the event log of a run.
 #pragma once
 
 #include <optional>
@@ -25,15 +25,15 @@ struct Pattern {
 /// "{kind: task, uav: marvin, state: ended}": as a user would write it.
 std::string to_text(const Pattern& pattern);
 
-/// When a match counts: within [from, until], and, if `after` is given, not before the first record
-/// that matches it and no later than `within` of it. If that record never comes nothing counts.
+/// The time window in which matches count: [from, until], and, if `after` is given, from the first
+/// record that matches `after` until `within` later. Without such a record no match counts.
 struct Window {
   MissionTime from;
   MissionTime until = MissionTime::max();
   std::optional<Pattern> after;
   std::optional<Duration> within;
-  /// Earlier than the first record that matches it: not at the same instant, and any time if no
-  /// record does.
+  /// If given, matches count only strictly before the first record that matches `before`; without
+  /// such a record at any time.
   std::optional<Pattern> before;
 };
 
@@ -85,12 +85,12 @@ struct Expectation {
 struct Verdict {
   std::string name;
   bool passed = false;
-  std::string seen;  ///< for people: what was found, or what was there instead
+  std::string seen;  ///< for people: the matching record or figure, or what was found instead
 };
 
 /// One verdict per expectation, in order. `records` are in the order of the log, times never
-/// decreasing. What is to come in its window may come by `allowed_late` [>= 0] after its end, which
-/// the verdict then says; what must not come, and the window's begin, are as they are.
+/// decreasing. An expected event may come up to `allowed_late` (>= 0) after the end of its window,
+/// and the verdict then says so; the begin of windows and "never" expectations have no tolerance.
 /// Cost: O(expectations × records).
 std::vector<Verdict> check(const std::vector<Expectation>& expectations,
                            const std::vector<journal::Record>& records,

@@ -12,14 +12,14 @@
 
 namespace skein::scenario {
 
-/// A figure, and what a person needs to understand it: " m (marvin and heliv at 617 s)".
+/// A figure with its context for people: " m (marvin and heliv at 617 s)".
 struct Measured {
   double value = 0;
   std::string context;  ///< unit, who and when; follows the number
 };
 
-/// The figure, or why it cannot be computed. Without UAVs: all that have telemetry. Cost: linear in
-/// the records.
+/// The figure, or the reason why it cannot be computed. If `wanted` names no UAVs: of all with
+/// telemetry. Cost: linear in the records.
 tl::expected<Measured, std::string> measure(const ExpectMeasure& wanted,
                                             const std::vector<journal::Record>& records);
 
@@ -29,16 +29,16 @@ struct Closure {
   world::TimeWindow when;
 };
 
-/// What air was closed in a run of a scenario: known from the start, or by its script. What
-/// operators close while it runs is not told.
+/// The volumes that were closed in a run, from the start or by the script; those that operators
+/// closed are not included.
 std::vector<Closure> closures_of(const Scenario& scenario,
                                  const std::vector<journal::Record>& records);
 
-/// As in scenario files: "energy-left".
+/// The name in scenario files: "energy-left".
 std::string_view name_of(ExpectMeasure::Quantity quantity);
 /// "m", "s", or nothing.
 std::string_view unit_of(ExpectMeasure::Quantity quantity);
-/// Of a NamedMeasure by its name; nothing for other names.
+/// The unit of a NamedMeasure of this name; empty for other names.
 std::string_view unit_of(const std::string& measure);
 
 /// A measure as a column of a table.
@@ -47,11 +47,11 @@ struct NamedMeasure {
   ExpectMeasure what;
 };
 
-/// Those that need nothing but an event log, each of all UAVs together.
+/// The measures that need only an event log, each over all UAVs.
 std::vector<NamedMeasure> measures_of_any_run();
 
-/// These; the time in closed air, if any air is closed in the scenario; and those of single UAVs
-/// that it has expectations of. No name twice.
+/// measures_of_any_run(); the time in closed air, if the scenario closes any; and the measures in
+/// the scenario's expectations. No name twice.
 std::vector<NamedMeasure> measures_of(const Scenario& scenario);
 
 }  // namespace skein::scenario

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an operator asks of the ground station while the mission runs, as text.
+// Requests of an operator to the ground station during the mission, as text.
 #pragma once
 
 #include <memory>
@@ -14,22 +14,22 @@
 
 namespace skein::scenario {
 
-/// Reads requests: YAML or JSON, a list of actions as the steps of a script have them
-/// (docs/scenario-format.md), and beside these
-///   ask: {uav}                      its holder is asked to let go of it
-///   keep: {uav}                     the answer: no
-///   let_go: {uav, to}               nobody has it in hand, or operator `to`
-///   answer: TEXT                    what a step waits for from an operator
-///   judge_alarm: {alarm, as}        confirmed or infirmed, by a person
-///   go: {uav, to, altitude}         it flies there at once: places or points, as in tasks
-/// A map by itself is a list of one; a map with `tasks` is a mission.
-/// Not safe to share between threads: its terrain is made when it is needed.
+/// Reads requests: YAML or JSON, a list of the actions that steps of a script have
+/// (docs/scenario-format.md), and in addition
+///   ask: {uav}                      asks the operator that controls the UAV to release it
+///   keep: {uav}                     refuses such a request
+///   let_go: {uav, to}               releases the UAV, to operator `to` if given
+///   answer: TEXT                    the operator's answer that a step of the script waits for
+///   judge_alarm: {alarm, as}        the operator confirms or infirms an alarm
+///   go: {uav, to, altitude}         the UAV flies at once to places or points, as in tasks
+/// A map without a list is a list of one action; a map with `tasks` is a mission.
+/// Thread rule: one thread (the terrain is built on first use).
 class RequestReader {
  public:
   explicit RequestReader(std::shared_ptr<const Scenario> scenario)
       : scenario_(std::move(scenario)) {}
 
-  /// Every error at once; places are of the text, in file "request".
+  /// All errors at once, with their positions in the text, as file "request".
   Result<std::vector<ground_station::OperatorDeed>, Diagnostics> read(std::string_view text);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scenario: everything that one run is made of, read from a file.
+// A scenario: the complete description of a run, read from a file.
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@
 
 namespace skein::scenario {
 
-/// What a UAV does by itself once it has not heard the ground for a while. Source: T II.1.2,
-/// spec 1.2.
+/// Policy of a UAV after it has heard nothing from the ground for the time `after`. Source: T
+/// II.1.2, spec 1.2.
 struct ContactLoss {
   enum class Policy { kContinue, kHold, kReturn };
   Policy policy = Policy::kContinue;
@@ -49,9 +49,9 @@ struct UavSpec {
   double energy = 1;   ///< [0, 1]
   int degree = 3;      ///< of decisional autonomy at the start, 1 to 5
   ContactLoss contact_loss;
-  /// The node that is its functional layer; empty: the simulator.
+  /// The node that serves as its functional layer; empty: the simulator.
   std::string functional;
-  double speed_factor = 1;  ///< it flies at this part of what its model promises; see Variations
+  double speed_factor = 1;  ///< true speed as a fraction of the model's; see Variations
 };
 
 struct WorldSpec {
@@ -73,7 +73,7 @@ struct CutSpec {
   bool one_way = false;  ///< only from a to b; else both ways
 };
 
-/// A radio link that is unlike the others in [from, until). What is absent is as of the others.
+/// Properties of one radio link in [from, until); an absent one is that of the radio model.
 struct LinkSpec {
   std::string a;
   std::string b;
@@ -88,43 +88,43 @@ struct LinkSpec {
 struct RadioSpec {
   world::RadioModel model;
   std::vector<CutSpec> cuts;
-  std::vector<LinkSpec> links;                ///< of several that hold at once the later one counts
-  Duration heartbeat = Duration::seconds(1);  ///< of every node on each of its channels
-  std::vector<std::string> relays;            ///< who passes on what is for others
-  /// Nobody is told which links are up: what carries the samples cuts, as in flight. In virtual
-  /// time the memory transport does; over DDS nothing the simulator says of links counts, and
-  /// somebody else must cut (scripts/radio-lab).
+  std::vector<LinkSpec> links;                ///< if several apply, the last one counts
+  Duration heartbeat = Duration::seconds(1);  ///< period, of every node on each of its channels
+  std::vector<std::string> relays;            ///< nodes that forward samples for others
+  /// Nodes are not told which links are up; the transport itself drops samples, as in flight. In
+  /// virtual time the memory transport does so; over DDS the simulator's links have no effect, and
+  /// the network has to be cut from outside (scripts/radio-lab).
   bool silent = false;
 };
 
-/// Where high-level tasks are written, by UAV and number: for errors found only later.
+/// Positions of high-level tasks in the file, by UAV and number, for errors found after reading.
 using TaskMarks = std::map<std::pair<std::string, mission::GoalId>, world::Mark>;
 
 struct GroundSpec {
   world::Vector3 position = world::Vector3::Zero();  ///< of its antenna [m] ENU
   ground_station::PpsConfig pps;
-  std::vector<ground_station::ObjectSpec> objects;  ///< that it follows by what sensors tell
+  std::vector<ground_station::ObjectSpec> objects;  ///< tracked by the ground station from percepts
   ground_station::Script script;
   TaskMarks asked;   ///< of missions for UAVs
   TaskMarks played;  ///< of joint tasks in which the ground station plays for UAVs
 };
 
-/// The daemon of a node dies and, if told so, is started again.
+/// The daemon of a node is killed and, with `restart_after`, started again.
 struct KillSpec {
   MissionTime at;
   std::string node;
   std::optional<Duration> restart_after;
-  bool forgets = false;  ///< it comes back with nothing it knew
+  bool forgets = false;  ///< it restarts without its stored state
 };
 
-/// Something on board a UAV breaks, for good.
+/// A device of a UAV fails for the rest of the run.
 struct BreakSpec {
   MissionTime at;
   std::string uav;
   std::string device;  ///< empty: the engine
 };
 
-/// Takeoffs, landings and ways of a UAV are flown at 1/`factor` of their speed.
+/// A UAV flies takeoffs, landings and paths at 1/`factor` of their speed for the time `lasts`.
 struct SlowSpec {
   MissionTime at;
   std::string uav;
@@ -132,15 +132,15 @@ struct SlowSpec {
   Duration lasts;
 };
 
-/// The functional layer of a UAV aborts the task of the type that runs, or else the next one.
+/// The functional layer of a UAV aborts its running task of this type, or else the next one.
 struct AbortSpec {
   MissionTime at;
   std::string uav;
   std::string type;
-  Duration lasts = {};  ///< if not zero: it, and every one that is to begin within that time
+  Duration lasts = {};  ///< not zero: also all tasks of the type that would begin within this time
 };
 
-/// A UAV finds that it has less energy than it believed.
+/// The energy of a UAV drops to `left`.
 struct EnergySpec {
   MissionTime at;
   std::string uav;
@@ -151,8 +151,8 @@ struct EnergySpec {
 struct RandomFaults {
   double cuts_per_hour = 0;   ///< of each radio link
   double mean_cut = 20;       ///< [s]
-  double kills_per_hour = 0;  ///< of each node, restarted after `mean_dead` with what it knew
-  double mean_dead = 5;       ///< [s]
+  double kills_per_hour = 0;  ///< of each node, which then restarts with its stored state
+  double mean_dead = 5;       ///< mean time until the restart [s]
 };
 
 struct FaultSpec {
@@ -164,10 +164,10 @@ struct FaultSpec {
   RandomFaults random;
 };
 
-/// What deliberation on board goes by. Source: spec 1.2, 3.3, 6.1.
+/// Settings of onboard deliberation. Source: spec 1.2, 3.3, 6.1.
 struct PlanningSpec {
   std::string domain_file;                  ///< as written
-  std::string domain_path;                  ///< where it was read: for messages
+  std::string domain_path;                  ///< path it was read from, for messages
   std::string domain;                       ///< its text
   double altitude = 40;                     ///< of flights, over the ground [m]
   std::map<std::string, double> altitudes;  ///< of single UAVs, instead of `altitude` [m]
@@ -175,19 +175,19 @@ struct PlanningSpec {
   std::optional<double> ceiling;  ///< of the airspace [m] ENU z; absent: as in world files
   world::GroundRequest ground;    ///< the risk of the ground
   Duration horizon = Duration::seconds(15);  ///< of commitment
-  /// How UAVs keep their plans consistent in time with each other's; absent: they do not.
+  /// Algorithm that keeps the plans of the UAVs temporally consistent; absent: none.
   std::optional<temporal::Algorithm> consistency = temporal::Algorithm::kDipM;
-  /// The elementary tasks that a UAV plans are numbered from here on; 1 where nothing is said.
+  /// First number of the elementary tasks that a UAV plans; 1 for UAVs that are not listed.
   std::map<std::string, executive::TaskId> first_ids;
 };
 
-/// Ways that do not cross. That the key is there asks for separation to be judged; `merge`, that
-/// UAVs reserve the air of their ways before they fly them. Source: spec 6.4.
+/// Separation of paths. If present, the separation of UAVs is judged; with `merge` they also
+/// reserve the air of their paths before they fly them. Source: spec 6.4.
 struct SeparationSpec {
   bool merge = true;
 };
 
-/// Bounds of what is drawn from the seed at each run; what is absent stays as written.
+/// Ranges of quantities drawn from the seed for each run; an absent one stays as written.
 struct Variations {
   struct Range {
     double low = 0, high = 0;
@@ -197,59 +197,59 @@ struct Variations {
   std::optional<Range> speed_factor;  ///< of each UAV, drawn for each
   std::optional<Range> latency;       ///< of the radio [s]
   std::optional<Range> loss;          ///< of the radio, [0, 0.99]
-  /// So much later [s] comes every instant that the script waits for, the same for all.
+  /// Delay [s] added to every instant that the script waits for; drawn once for all.
   std::optional<Range> start_delay;
 };
 
 /// The vendors of DDS that daemons can use; the first is the default.
 inline constexpr std::array<const char*, 2> kDdsNames{"fastdds", "cyclonedds"};
 
-/// Source: spec 8.1. The format by example: docs/scenario-format.md.
+/// A scenario file with the models it names. Source: spec 8.1. Format: docs/scenario-format.md.
 struct Scenario {
   std::string name;
   std::string file;
   std::string epoch;  ///< ISO 8601, UTC: mission time zero
   MissionTime duration_limit;
   double rate = 1;  ///< mission seconds per second
-  /// Whose DDS daemons use, one of kDdsNames: all, and what is said of single nodes.
+  /// DDS vendor of the daemons, one of kDdsNames: the default, and exceptions by node.
   std::string dds{kDdsNames.front()};
   std::map<std::string, std::string> dds_by_node;
   std::uint64_t seed = 1;
   WorldSpec world;
   std::vector<UavSpec> uavs;  ///< in the order written
   RadioSpec radio;
-  /// Which slots are unlike those that ship: a map with the key `slots`, as it stands in the file;
-  /// absent: none. What it means, and whether it is right, the blackboard says (read_slot_table).
+  /// Slots that differ from the shipped ones: a map with the key `slots`, as in the file; absent:
+  /// none. Interpreted and checked by the blackboard (read_slot_table).
   std::optional<config::Value> slots;
   GroundSpec ground;
   FaultSpec faults;
   std::optional<PlanningSpec> planning;
   /// Models of joint tasks; null: there are none.
   std::shared_ptr<const interaction::Library> interaction;
-  std::optional<team::Config> team;          ///< who shares out global missions; absent: nobody
-  std::optional<SeparationSpec> separation;  ///< absent: nobody asks for it
+  std::optional<team::Config> team;          ///< allocates global missions; absent: no team
+  std::optional<SeparationSpec> separation;  ///< absent: neither judged nor enforced
   Variations variations;
   std::vector<Expectation> expectations;
 
   std::vector<std::string> uav_names() const;
-  /// By UAV, of those that have a functional layer of their own.
+  /// Node of the functional layer, by UAV, for UAVs that do not use the simulator.
   std::map<std::string, std::string> functional_layers() const;
-  /// Whose DDS the daemon of this node uses.
+  /// The DDS vendor of this node's daemon.
   const std::string& dds_of(const std::string& node) const;
   const UavSpec* find_uav(const std::string& name) const;
 };
 
-/// Reads a scenario file and the model files it names (relative to it). Every error at once.
+/// Reads a scenario file and the model files it names (relative to its folder). All errors at once.
 Result<Scenario, Diagnostics> read_scenario(const std::string& path);
-/// The same of text; `file` is what messages say and what model files are relative to.
+/// The same from text; `file` is used in messages, and model files are relative to its folder.
 Result<Scenario, Diagnostics> read_scenario_text(std::string_view text, const std::string& file);
 
 /// Draws the random faults from the scenario's seed: they become cuts and kills beside those
 /// written down. Precondition: called once.
 void draw_random_faults(Scenario& scenario);
 
-/// Draws the variations from the scenario's seed, each from a sequence of its own: one more does
-/// not change what the others come to. Precondition: called once.
+/// Draws the variations from the scenario's seed, each from its own random sequence, so that adding
+/// one does not change the others. Precondition: called once.
 void draw_variations(Scenario& scenario);
 
 }  // namespace skein::scenario
