@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where what is wrong with a scenario and its fault scripts was written.
+// Error positions in a scenario that was joined with fault scripts.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace skein::scenario_text {
 
-/// A file with what it holds.
+/// A file name and the text of the file.
 struct NamedText {
   std::string file;
   std::string text;
 };
 
-/// What is wrong with the files as YAML (a key given twice, for one), all at once.
+/// YAML errors of the files (for instance duplicate keys), all at once.
 Diagnostics problems_of(const std::vector<NamedText>& files);
 
 /// Errors of the document `joined`, which `with_radio` made of a scenario and fault scripts
-/// (`files`, in that order): each with the file, line and path where the value was written. What is
-/// of another file, or nowhere to be found, stays as it is. Precondition: problems_of(files) is
+/// (`files`, in that order): each with the file, line and path where the value was written. Errors
+/// of other files, or whose value is not found, stay unchanged. Precondition: problems_of(files) is
 /// empty.
 Diagnostics as_written(const Diagnostics& errors, const std::string& joined,
                        const std::vector<NamedText>& files);

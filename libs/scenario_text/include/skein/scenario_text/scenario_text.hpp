@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text of a scenario file, changed.
+// Edits of the text of a scenario file.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace skein::scenario_text {
 
-/// As it must be to mean the same in another folder: names of files that there are (models,
-/// domains, rasters) lead to them from there; all else stays, byte for byte. (Where such a name is
+/// The text with the same meaning in another folder: names of existing files (models, domains,
+/// rasters) become relative to `to_folder`; all else stays, byte for byte. (If such a name is
 /// written with an anchor or with escapes, the document is written anew and comments are lost.)
-/// Precondition: it is YAML.
+/// Precondition: `yaml` is valid YAML.
 std::string moved(const std::string& yaml, const std::string& from_folder,
                   const std::string& to_folder);
 
-/// With another radio: `faults` is a document whose keys under `radio` take the place of the
-/// scenario's, but for `cuts`, which come beside it. Comments are lost; how a value is written is
-/// not. The failure says what is no such document.
+/// The text with another radio: the keys under `radio` of the document `faults` replace those of
+/// the scenario, except `cuts`, which are added. Comments are lost; the notation of values is kept.
+/// Fails, naming the document, if either has no such form.
 Result<std::string, Failure> with_radio(const std::string& yaml, const std::string& faults);
 
 }  // namespace skein::scenario_text
