@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plays a decision node against a functional layer and says what is wrong with it.
+// Conformance test of a functional layer: acts as its decision node and checks its answers.
 #pragma once
 
 #include <optional>
@@ -15,22 +15,22 @@
 namespace skein::conformance {
 
 struct Config {
-  double height = 30;  ///< over the ground that it takes off to [m]
-  double reach = 60;   ///< how far from its start it is sent [m]
-  double near = 10;    ///< of a way-point that counts as reached [m]
-  bool hovers = true;  ///< else it may circle where it is told to stay
-  std::string device;  ///< that looks; empty: none, and looking is not asked for
-  Duration telemetry_within = Duration::seconds(2);  ///< between two
-  Duration answer_within = Duration::seconds(10);    ///< a pilot's reaction included
-  Duration act_within = Duration::seconds(300);      ///< a takeoff, a way, a landing
-  /// Until somebody has killed it and started it again; absent: nobody does, and points about that
-  /// are left out.
+  double height = 30;  ///< of the takeoff, over the ground [m]
+  double reach = 60;   ///< distance of way-points from the start [m]
+  double near = 10;    ///< distance at which a way-point counts as reached [m]
+  bool hovers = true;  ///< false: the vehicle may circle instead of staying at a place
+  std::string device;  ///< sensor for perception tasks; empty: none, and none are requested
+  Duration telemetry_within = Duration::seconds(2);  ///< longest gap between two samples
+  Duration answer_within = Duration::seconds(10);    ///< includes a pilot's reaction
+  Duration act_within = Duration::seconds(300);      ///< for a takeoff, a path, a landing
+  /// Time for the caller to kill and restart the functional layer; absent: it cannot, and the
+  /// points about restarts are left out.
   std::optional<Duration> restart_within;
 };
 
 /// Time passes.
 struct Tick {};
-/// The functional layer is heard in a new incarnation: it has lost its memory.
+/// The functional layer has restarted (a new incarnation was heard) and lost its memory.
 struct Restarted {};
 using Input =
     std::variant<Tick, functional::Status, world::Telemetry, world::Perception, Restarted>;
@@ -39,32 +39,33 @@ using Input =
 struct Verdict {
   std::string point;  ///< "an unknown type is refused with a reason"
   bool kept = false;
-  std::string seen;  ///< what came instead; empty when it was kept
+  std::string seen;  ///< the observed behaviour; empty when the point was kept
   bool operator==(const Verdict&) const = default;
 };
 
-/// Asks what a decision node asks, one point after the other: first what is refused on the ground,
-/// then a takeoff, ways, a look and a wait with their interruptions and repetitions, a landing. A
-/// point that is not kept is told, and the next one follows; when it does not fly, the rest of the
-/// flight is told as not kept. The vehicle stands on open ground at its first telemetry.
+/// Sends the requests of a decision node, one point of the contract after the other: first requests
+/// that must be refused on the ground, then a takeoff, paths, perception and waiting with
+/// interruptions and repetitions, a landing. A violated point gets a negative verdict, and the next
+/// one follows; if the vehicle does not fly, all points of the flight are violated. Precondition:
+/// the vehicle stands on open ground at its first telemetry.
 ///
 /// `now` never decreases. Deterministic. Source: spec 1.1, 2.1; docs/functional-layer.md.
 class Conformance {
  public:
   explicit Conformance(Config config);
 
-  /// What is to be sent to the functional layer.
+  /// Returns the requests to send to the functional layer.
   std::vector<functional::Request> handle(const Input& input, MissionTime now);
-  /// When it next wants a Tick.
+  /// When the next Tick is due.
   std::optional<MissionTime> next_wakeup() const;
   bool done() const { return point_ >= points_.size(); }
-  /// Now is the time to kill it and start it again.
+  /// Whether the caller has to kill and restart the functional layer now.
   bool wants_restart() const;
-  /// In the order of the contract; complete when done.
+  /// Verdicts so far, in the order of the contract; complete when done().
   const std::vector<Verdict>& verdicts() const { return verdicts_; }
 
  private:
-  /// What came since a point began.
+  /// Inputs since the current point began.
   struct Seen {
     MissionTime began;
     std::vector<functional::Status> statuses;
@@ -72,14 +73,14 @@ class Conformance {
     std::vector<world::Perception> perceptions;
     bool restarted = false;
   };
-  /// Absent: not decided yet. Empty: kept. Else what was seen instead.
+  /// Absent: not decided yet. Empty: kept. Else the violation.
   using Judgement = std::optional<std::string>;
   struct Point {
     std::string name;
     std::vector<functional::Request> (Conformance::*ask)();
     Judgement (Conformance::*judge)(MissionTime now) const;
     Duration within;
-    bool needs_flight = false;  ///< told as not kept without being asked when it is not in the air
+    bool needs_flight = false;  ///< violated without a request if the vehicle is not airborne
   };
 
   // conformance.cpp
@@ -128,7 +129,7 @@ class Conformance {
   Seen seen_;
   std::uint64_t next_task_ = 1;
   functional::Request asked_;                  ///< last dispatched, or interrupted
-  std::optional<functional::TaskId> refused_;  ///< asked for beside it
+  std::optional<functional::TaskId> refused_;  ///< second task, which has to be refused
   std::optional<world::Telemetry> first_, last_;
 };
 
