@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ways an area may be swept, as the gates of a stop.
+// The possible sweeps of an area, as gates of a stop in a tour.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,12 @@
 
 namespace skein::refiners {
 
-/// Most corners of an area at which sweeps begin; of more, so many are chosen all around it.
+/// Most corners of an area at which sweeps begin; of more corners this many are chosen, spread
+/// around the border.
 inline constexpr std::size_t kMostEntries = 8;
 
 /// Sweeps of the area that begin near each of its corners, as gates (entry, exit and expected
-/// duration of the sweep); the same gate only once. `query.start` and `query.end` do not count.
+/// duration of the sweep), without duplicates. Ignores `query.start` and `query.end`.
 /// Cost: one sweep for each corner.
 Result<std::vector<Gate>, Refusal> gates_of(const CoverageQuery& query, const Setting& setting);
 

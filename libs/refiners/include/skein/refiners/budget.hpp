@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long a refiner may search.
+// Bounds on the search of a refiner.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,21 @@
 
 namespace skein::refiners {
 
-/// Two bounds: a count of steps, by which the same query gives the same answer everywhere, and the
-/// host's clock, which is asked now and then and wins. A search that the clock cuts gives the best
-/// it has and says so (Effort::cut_short). A value type.
+/// Two bounds: a number of steps, which keeps results reproducible on any machine, and the host's
+/// clock, which is polled and takes precedence. A search that the clock ends returns the best
+/// result so far and sets Effort::cut_short. A value type.
 struct Budget {
-  /// True once the time is up. May be empty: never. Called from the thread of the service, every
-  /// few thousand elementary operations (some 50 µs).
+  /// Returns true once the time is up. Empty: no time limit. Called from the thread of the service,
+  /// every few thousand elementary operations (some 50 µs).
   std::function<bool()> time_is_up;
-  /// Elementary steps of the service that is asked (expansions, moves tried, …: each says which).
+  /// Limit of elementary steps; each service documents its unit (expansions, moves tried, …).
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
 
   bool expired() const { return time_is_up && time_is_up(); }
 };
 
-/// Asks the clock of a budget only every `stride` steps, since asking costs more than a step.
+/// Counts steps against a budget; polls its clock only every `stride` steps, since polling costs
+/// more than a step.
 /// Thread rule: one thread.
 class Countdown {
  public:
@@ -36,7 +37,7 @@ class Countdown {
   }
   std::uint64_t steps() const { return steps_; }
   bool over() const { return over_; }
-  /// True when it was the clock that ended it, so that another run may end elsewhere.
+  /// True if the clock ended the search, so that the result may differ between runs.
   bool cut_short() const { return cut_short_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that many queries share; each gives the refusal, or nothing.
+// Checks common to many queries; each returns the refusal, or nothing.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,12 @@ namespace skein::refiners {
 
 std::optional<Refusal> check_finite(const world::Vector3& point, const std::string& field);
 std::optional<Refusal> check_positive(double figure, const std::string& field);
-/// Speeds, rates and radii that a way can be flown with.
+/// Checks that the vehicle's speeds, rates and radii are valid for flying a path.
 std::optional<Refusal> check_vehicle(const world::VehicleModel& vehicle);
-/// A simple polygon, as world::problem_of has it; a corner that is not finite is named by its
-/// place.
+/// Checks that the polygon is simple (world::problem_of); a corner that is not finite is named by
+/// its index.
 std::optional<Refusal> check_polygon(const world::Polygon& polygon, const std::string& field);
-/// The sensor of that name, or why not.
+/// The sensor of that name, or a refusal.
 Result<const world::SensorModel*, Refusal> sensor_of(const world::VehicleModel& vehicle,
                                                      const std::string& device);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// coverage: a way that sweeps an area entirely with a sensor's swath.
+// coverage: a path that sweeps an area entirely with a sensor's swath.
 #pragma once
 
 #include <cstdint>
@@ -25,18 +25,18 @@ struct CoverageQuery {
   world::VehicleModel vehicle;
   world::Polygon area;                ///< simple; convex or not
   std::vector<world::Polygon> holes;  ///< inside it, apart; need not be swept
-  double swath = 0;                   ///< width of the strip that is perceived [m], > 0
+  double swath = 0;                   ///< width of the perceived strip [m], > 0
   double altitude = 0;                ///< of the lanes over the ground at their ends [m], > 0
   SweepMode mode = SweepMode::kLeastTime;
   double direction = 0;                 ///< of the lanes [rad], for kGiven
-  std::optional<world::Vector3> start;  ///< where the vehicle comes from: begin near it
-  std::optional<world::Vector3> end;    ///< where it goes afterwards
+  std::optional<world::Vector3> start;  ///< position of the vehicle before the sweep
+  std::optional<world::Vector3> end;    ///< its destination after the sweep
   double speed = 0;                     ///< [m/s]; 0: cruise
   MissionTime depart;                   ///< volumes with a time window count from then on
-  /// All between the first lane and the last, turns too, stays within the area, which must be
-  /// convex then: along its border a headland is left for the turns. A vehicle that hovers sweeps
-  /// it in a lap along the border (but for the tips of corners sharper than a right angle); one
-  /// that cannot leaves it out.
+  /// Keeps the path from the first lane to the last, turns included, within the area, which must
+  /// then be convex: a headland along the border is reserved for turns. A hovering vehicle sweeps
+  /// the headland in a lap along the border (except for the tips of corners sharper than a right
+  /// angle); for others it stays unswept.
   bool turns_inside = false;
 };
 
@@ -45,23 +45,23 @@ struct Lane {
 };
 
 struct Coverage {
-  Way way;  ///< lanes and turns, in order; from `start` and to `end` where they are given
-  std::vector<Lane> lanes;  ///< in the order and sense flown
+  Way way;  ///< lanes and turns in order, including the legs from `start` and to `end` if given
+  std::vector<Lane> lanes;  ///< in the order and direction flown
   double direction = 0;     ///< of most lanes, [0, π) [rad]
   double length = 0;        ///< [m]
   std::size_t turns = 0;
   std::size_t parts = 1;  ///< convex parts that the area was cut into
-  double energy = 0;      ///< fraction of what is held when full
-  double headland = 0;    ///< width of the strip along the border that is left for turns [m]
-  double left_out = 0;    ///< part of the area that is not swept because of it, [0, 1)
+  double energy = 0;      ///< fraction of the full capacity
+  double headland = 0;    ///< width of the headland along the border [m]
+  double left_out = 0;    ///< fraction of the area not swept because of the headland, [0, 1)
 };
 
 /// Refined cost: expected seconds, turns included. Steps of the budget: directions tried.
 Outcome<Coverage> refine(const CoverageQuery& query, const Setting& setting);
 
-/// Seconds from the end of one lane to the beginning of the next, `spacing` metres beside it and in
-/// the opposite sense: for a vehicle that hovers, braking, moving over, turning round and gathering
-/// speed; else the shortest curve it can fly.
+/// Duration [s] of the turn from the end of a lane to the beginning of the next one, which is
+/// `spacing` [m] beside it and flown in the opposite direction: for a hovering vehicle braking,
+/// moving sideways, turning and accelerating; for others the shortest curve of their turn radius.
 double turn_time(const world::VehicleModel& vehicle, double spacing, double speed = 0);
 
 }  // namespace skein::refiners

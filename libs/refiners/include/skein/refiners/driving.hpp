@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways over the ground, for vehicles that keep to it.
+// Path planning over the ground, for ground vehicles.
 #pragma once
 
 #include <vector>
@@ -9,27 +9,27 @@
 
 namespace skein::refiners {
 
-/// The terrain seen from above, as one layer of voxels around height 0. Free is a voxel when the
-/// vehicle can drive everywhere in it and in those around it: nowhere steeper than its model says,
-/// and out of the volumes that reach down to it there. Voxels are parts of the terrain's cells,
-/// coarser ones the larger it is. A free segment between two points of the layer can be driven.
+/// The terrain as a map: one layer of voxels around height 0. A voxel is free if the vehicle can
+/// drive everywhere in it and in its neighbours: no slope steeper than the model's limit, and no
+/// volume that reaches down to the vehicle. Voxels subdivide the terrain's cells, less finely on
+/// larger terrain. A free segment between two points of the layer can be driven.
 /// Precondition: vehicle.ground. Cost: O(voxels × (1 + volumes)), up to a million voxels.
 world::Airspace drivable_ground(const world::Terrain& terrain, const world::VehicleModel& vehicle,
                                 const std::vector<world::Volume>& volumes, double margin = 0);
 
-/// Where that place is on the map that drivable_ground() makes.
+/// The point of that place on the map of drivable_ground().
 inline world::Vector3 on_map(const world::Vector3& at) { return {at.x(), at.y(), 0}; }
-/// On the ground there.
+/// The point of the ground at these coordinates.
 world::Vector3 on_ground(const world::Terrain& terrain, const world::Vector3& at);
 
-/// The way with the heights of the ground between its points, as it is driven: for lengths, times
-/// and energies.
+/// The path draped over the ground, with points between the given ones: for lengths, times and
+/// energies.
 Way draped(const Way& way, const world::Terrain& terrain);
 
-/// Ways over such a map; the points of a way are on the ground. A place that is not free on the map
-/// is joined to the nearest one that is, if that is near and the ground between is not too steep:
-/// who stands in a volume leaves it. Refused: `to` on ground that is too steep or outside the
-/// terrain, an end that nothing near it joins to the map (kBlocked); no way (kUnreachable).
+/// Plans paths over such a map; their points are on the ground. A place that is not free on the map
+/// is joined to the nearest free one, if that is near and the ground between is not too steep, so
+/// that a vehicle inside a volume can leave it. Refused: `to` on ground that is too steep or
+/// outside the terrain, an end that cannot be joined to the map (kBlocked); no path (kUnreachable).
 /// Lifetime: the map outlives the planner.
 class DrivingPlanner final : public PathPlanner {
  public:

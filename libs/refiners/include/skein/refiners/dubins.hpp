@@ -14,26 +14,27 @@ struct Pose {
   double heading = 0;  ///< [rad], ENU counter-clockwise from east
 };
 
-/// The angle of a chord that leaves an arc of that radius by `tolerance` [m], at most π/4 so that
-/// an arc stays an arc [rad]. Precondition: both > 0.
+/// The central angle [rad] of a chord whose distance from its arc is `tolerance` [m], at most π/4.
+/// Precondition: both > 0.
 double chord_angle(double radius, double tolerance);
 
 /// Three pieces, each a turn left, a turn right or straight on; a piece may be empty. A value type.
 /// Source: Dubins 1957.
 class DubinsCurve {
  public:
-  /// Precondition: radius > 0, all finite. Cost: constant. A turn that rounding alone would make a
-  /// full one (within a billionth of a radian, or what the figures' own rounding amounts to) is
-  /// none, so that a straight way stays straight.
+  /// Precondition: radius > 0, all finite. Cost: constant. A turn that is a full circle only by
+  /// rounding (within 1e-9 rad, or the rounding of the figures) counts as none, so that a straight
+  /// path stays straight.
   static DubinsCurve shortest(const Pose& from, const Pose& to, double radius);
-  /// A full turn back to where it starts.
+  /// A full circle back to `from`.
   static DubinsCurve circle(const Pose& from, double radius, bool left);
 
   double length() const { return lengths_[0] + lengths_[1] + lengths_[2]; }
-  /// At a distance along it, held within [0, length()]; at the ends exactly the poses given.
+  /// The pose at a distance along the curve, clamped to [0, length()]; at the ends exactly the
+  /// given poses.
   Pose at(double along) const;
-  /// Points along it, both ends among them, such that no chord leaves the curve by more than
-  /// `tolerance` [m], > 0. One point where the curve has no length.
+  /// Points along the curve including both ends, with chords no further than `tolerance` [m] (> 0)
+  /// from the curve. A single point if the curve has no length.
   std::vector<world::Vector2> sampled(double tolerance) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long a vehicle takes along a way, and what energy it draws.
+// Duration and energy of a flight along a path.
 #pragma once
 
 #include <vector>
@@ -10,22 +10,22 @@
 
 namespace skein::refiners {
 
-/// Way-points in the order they are flown, straight in between [m], ENU.
+/// Path: way-points in flight order, joined by straight legs [m], ENU.
 using Way = std::vector<world::Vector3>;
 
 struct Flight {
   double length = 0;  ///< [m]
   DurationInterval duration;
-  double energy = 0;  ///< drawn in the expected duration, as a fraction of what is held when full
+  double energy = 0;  ///< used in the expected duration, as a fraction of the full capacity
 };
 
-/// A way flown without stops: each leg takes as long as the slower of its horizontal part, at the
-/// speed asked for (0: cruise), and its vertical part, at the full climb or descent rate. The wind
-/// counts as far as the vehicle drifts with it (VehicleModel::wind_drift), which holds its track
-/// against it: `expected` with the mean wind on each leg, `least` at the greatest speed with wind
-/// and one deviation of its gusts behind all along, `most` at the speed asked for with as much
-/// against it. A leg against a wind as fast as the vehicle takes for ever: Duration::max().
-/// Nothing is added for turns. Cost: O(points). Preconditions: finite points; check_vehicle passes.
+/// A flight without stops: each leg takes the longer time of its horizontal part, at `speed` (0:
+/// cruise), and its vertical part, at the full climb or descent rate. The vehicle holds its track
+/// against the wind, which counts by the vehicle's drift (VehicleModel::wind_drift): `expected`
+/// with the mean wind on each leg, `least` at the greatest speed with a tailwind of the mean and
+/// one standard deviation of the gusts all along, `most` at `speed` with the same as headwind. A
+/// leg against a wind as fast as the vehicle never ends: Duration::max(). Turns add nothing. Cost:
+/// O(points). Preconditions: finite points; check_vehicle passes.
 Flight estimate_flight(const Way& way, const world::VehicleModel& vehicle, const world::Wind& wind,
                        double speed = 0);
 

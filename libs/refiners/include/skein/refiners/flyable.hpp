@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways that a vehicle can really fly: turns as wide as it needs, climbs as steep as it can.
+// Makes paths flyable: turns no tighter than the turn radius, climbs no steeper than the rates.
 #pragma once
 
 #include <functional>
@@ -10,41 +10,42 @@
 
 namespace skein::refiners {
 
-/// What is to be flown, and what may not be touched.
+/// The corners of the path, and the free space.
 struct FlyableQuery {
   Way corners;                                     ///< at least two points, finite
   std::optional<double> heading_from, heading_to;  ///< [rad]
   double speed = 0;                                ///< [m/s]; 0: cruise
-  /// True when the straight segment may be flown; empty: every one may. The arcs themselves leave
-  /// their chords by up to `tolerance`: what must not be touched at all is grown by as much here.
+  /// Whether the straight segment is free; empty: always. Arcs deviate from their chords by up to
+  /// `tolerance`, so obstacles must be grown by as much in this test.
   std::function<bool(const world::Vector3&, const world::Vector3&)> is_free;
   double tolerance = 0.5;  ///< of the chords of an arc [m], > 0
-  /// Any corner may be left out, wherever another way is free and shorter.
+  /// Allows any corner to be left out where another path is free and shorter.
   bool shortest = false;
-  /// Asked now and then; once it says so nothing is free any more. Empty: never.
+  /// Polled; after it has returned true, every segment counts as blocked. Empty: no time limit.
   std::function<bool()> time_is_up = {};
 };
 
-/// For a vehicle that hovers: the corners as they are. It turns on the spot, and flies a leg that
-/// is steeper than it climbs at speed slower, a vertical one without any (flight.hpp counts that).
+/// For a hovering vehicle: the unchanged corners. It turns on the spot, and flies a leg steeper
+/// than its rates at less speed, a vertical leg at no horizontal speed (flight.hpp accounts for
+/// that).
 ///
-/// For one that cannot: a way of arcs of its turn radius and straight lines, sampled, with its
-/// headings at the ends where they are given. Each corner is rounded inside, flown over, or swung
-/// around outside; where corners stand too close for its turns, or none of that is free, some may
-/// be left out and points beside the legs may be flown over instead. Climbs and descents are no
-/// steeper than its rates allow at that speed: where the way is too short for them, it turns full
-/// circles. Of what is found free, about the shortest is given. The ends are kept exactly.
+/// For other vehicles: a sampled path of arcs of the turn radius and straight lines, with the given
+/// headings at the ends. Each corner is cut inside, flown over, or passed outside; if corners are
+/// too close for the turns, or none of these is free, some may be left out, and points beside the
+/// legs flown over instead. Climbs and descents are no steeper than the rates permit at that speed;
+/// where the path is too short for them full circles are added. Among the free paths found, about
+/// the shortest is returned. The ends are kept exactly.
 ///
-/// Refused: a query that makes no sense (kBadQuery); a leg of a hovering vehicle that is not free
-/// (kBlocked); no such way found near the corners (kBeyondVehicle), which does not prove that there
-/// is none. Cost: bounded; at most some 300,000 calls of is_free, usually a few hundred per corner.
-/// Source: spec 4.2 (curvature-bounded paths).
+/// Refused: an invalid query (kBadQuery); a blocked leg of a hovering vehicle (kBlocked); no
+/// flyable path found near the corners (kBeyondVehicle), which does not prove that none exists.
+/// Cost: bounded; at most some 300,000 calls of is_free, usually a few hundred per corner. Source:
+/// spec 4.2 (curvature-bounded paths).
 Result<Way, Refusal> make_flyable(const FlyableQuery& query, const world::VehicleModel& vehicle);
 
-/// True when no turn along the way is sharper than the radius allows and no leg steeper than the
-/// rates do; for checks. A turn is judged by what an arc sampled with `tolerance` [m] would show:
-/// at most half the angle of each of the chords that meet there. Always true for finite ways of a
-/// vehicle that hovers.
+/// Whether no turn of the path is sharper than the turn radius permits, and no leg steeper than the
+/// rates; for checks. A turn may be at most that of an arc sampled with `tolerance` [m]: half the
+/// angle of each of the two chords that meet there. Always true for finite paths of a hovering
+/// vehicle.
 bool is_flyable(const Way& way, const world::VehicleModel& vehicle, double speed, double tolerance);
 
 }  // namespace skein::refiners

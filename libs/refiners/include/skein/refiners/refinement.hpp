@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every service answers: a refined task with what it costs, or why there is none.
+// The result type of all services: a refined task with its cost, or a refusal with the reason.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@ namespace skein::refiners {
 
 /// Why a query has no solution.
 enum class RefusalKind : std::uint8_t {
-  kBadQuery,        ///< a figure of the query makes no sense (NaN, negative speed, crossed polygon)
-  kBlocked,         ///< a place asked for is in the ground, in a volume or outside the airspace
-  kUnreachable,     ///< every way is closed
-  kBeyondVehicle,   ///< the vehicle cannot: too high, too steep, no such sensor, too little energy
-  kNoContact,       ///< radio contact cannot be kept, or made
-  kNotPerceivable,  ///< nothing there can be seen with that sensor
+  kBadQuery,        ///< invalid query (NaN, negative speed, self-intersecting polygon)
+  kBlocked,         ///< a place of the query is in the ground, in a volume or outside the airspace
+  kUnreachable,     ///< no free path exists
+  kBeyondVehicle,   ///< exceeds the vehicle: too high, too steep, no such sensor, too little energy
+  kNoContact,       ///< radio contact cannot be kept, or established
+  kNotPerceivable,  ///< the target cannot be perceived with that sensor
   kBudgetExhausted,  ///< nothing found before the budget was used up: there may be a solution
 };
 /// "bad-query", "blocked", …: the names used in results.
@@ -36,20 +36,20 @@ inline tl::unexpected<Refusal> refuse(RefusalKind kind, std::string field, std::
   return tl::unexpected<Refusal>(Refusal{kind, std::move(field), std::move(why)});
 }
 
-/// Bounds of what it will take, and what is most likely. How flights give them: flight.hpp.
+/// Bounds and expected value of a duration. Definition for flights: flight.hpp.
 struct DurationInterval {
   Duration least, expected, most;
   bool operator==(const DurationInterval&) const = default;
 };
 
-/// What the search did.
+/// Effort of a search.
 struct Effort {
   std::uint64_t steps = 0;  ///< in the unit of the service
-  bool cut_short = false;   ///< by the clock: with more time it might be better
+  bool cut_short = false;   ///< ended by the clock: more time might give a better result
   bool operator==(const Effort&) const = default;
 };
 
-/// A feasible answer. `cost` is in the unit that the service names: less is better.
+/// A feasible result. `cost` is in the unit that the service documents; less is better.
 template <class Task>
 struct Refined {
   Task task;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// relay: where to stand so that two others can talk.
+// relay: positions of relays that connect two nodes by radio.
 #pragma once
 
 #include <vector>
@@ -20,21 +20,21 @@ struct RelayQuery {
 };
 
 struct Relay {
-  std::vector<world::Vector3> positions;  ///< from a to b; empty: they hear each other without
+  std::vector<world::Vector3> positions;  ///< from a to b; empty: a direct link exists
   double margin = 0;                      ///< of the weakest link [dB]
-  /// Distance between the places that were compared [m]: the side of a voxel, unless a chain was
-  /// looked for in an airspace too large for that.
+  /// Distance between the candidate places [m]: the side of a voxel, or more for a chain in a large
+  /// airspace.
   double spacing = 0;
 };
 
 /// The fewest relays, and among those the greatest margin of the weakest link, over the centres of
 /// the free voxels of the airspace that are no higher over the ground than the vehicle's ceiling.
 /// One relay: exact over all voxels. Two and more: exact over all voxels too, where there are at
-/// most kMostRelayPlaces; else over every n-th of them along each axis, n the least with no more
-/// than that, and then each relay moved to the best voxel between its neighbours. So in a large
-/// airspace a shorter chain, or one through a narrow gap, may be missed: see Relay::spacing.
-/// Refused: a or b in the ground (kBlocked); no such chain (kNoContact).
-/// Refined cost: number of relays; its duration is zero. Steps of the budget: links computed.
+/// most kMostRelayPlaces; else over every n-th of them along each axis, with the least n that
+/// leaves no more, after which each relay is moved to the best voxel between its neighbours. In a
+/// large airspace a shorter chain, or one through a narrow gap, may thus be missed: see
+/// Relay::spacing. Refused: a or b in the ground (kBlocked); no such chain (kNoContact). Refined
+/// cost: number of relays; its duration is zero. Steps of the budget: links computed.
 Outcome<Relay> refine(const RelayQuery& query, const Setting& setting);
 
 inline constexpr std::size_t kMostRelayPlaces = 8192;

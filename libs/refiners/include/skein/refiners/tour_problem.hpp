@@ -11,19 +11,19 @@
 
 namespace skein::refiners {
 
-/// Whole units, so that sums are exact and the same everywhere: the service counts nanoseconds.
+/// Costs are integers, so that sums are exact on every machine; the tour service uses nanoseconds.
 using TourCost = std::int64_t;
-/// No way: as much as 52 days in nanoseconds, so that the sum of a thousand of them still fits.
+/// Cost of an impossible leg: 52 days in nanoseconds, so that the sum of a thousand still fits.
 inline constexpr TourCost kNoWay = TourCost{1} << 52U;
-/// Most stops, for the same reason.
+/// Most stops, so that sums of costs fit.
 inline constexpr std::size_t kMostStops = 1000;
 
-/// Stops with gates (ways of visiting them), between a fixed start and an end. Gates are numbered
-/// through all stops. The costs need not be symmetrical, nor keep the triangle inequality.
-/// A closed tour over n places is one place as the start and the end, and n - 1 stops.
+/// Stops with gates (alternative visits), between a fixed start and an end. Gates are numbered
+/// consecutively over all stops. Costs need neither be symmetrical nor satisfy the triangle
+/// inequality. A closed tour over n places: one place as start and end, and n - 1 stops.
 struct TourProblem {
   std::vector<std::size_t> stop_of;  ///< of each gate; ascending from 0 without gaps
-  std::vector<TourCost> inside;      ///< of each gate: what the visit takes, [0, kNoWay]
+  std::vector<TourCost> inside;      ///< of each gate: cost of the visit, [0, kNoWay]
   std::vector<TourCost> between;     ///< gates × gates, row by row: from the exit of one to the
                                      ///< entry of another, [0, kNoWay]; within a stop unused
   std::vector<TourCost> from_start;  ///< to the entry of each gate, [0, kNoWay]
@@ -45,37 +45,36 @@ struct TourOrder {
   Effort effort;
 };
 
-/// What the whole order costs. Cost: O(stops).
+/// Total cost of an order. Cost: O(stops).
 TourCost cost_of(const TourProblem& problem, const std::vector<std::size_t>& gates);
 
 /// The best gate of each stop along an order of stops, exactly. Cost: O(stops × gates each²).
 std::vector<std::size_t> choose_gates(const TourProblem& problem,
                                       const std::vector<std::size_t>& stops);
 
-/// Transitions that the exact search would make. Twelve stops of eight gates each: 9 million.
+/// Number of transitions of the exact search. Twelve stops of eight gates each: 9 million.
 std::uint64_t exact_tour_steps(const TourProblem& problem);
-/// Up to so many stops the exact search is made whatever it takes up to kMostExactSteps
-/// (twelve stops of eighty gates); beyond, only when it is quick.
+/// Up to kExactStops stops the exact search is used if it needs at most kMostExactSteps transitions
+/// (twelve stops of eighty gates); for more stops only if it is quick.
 inline constexpr std::size_t kExactStops = 12;
 inline constexpr std::uint64_t kMostExactSteps = 1'000'000'000;
 inline constexpr std::uint64_t kMostQuickSteps = 30'000'000;
 
-/// The best order, or the best found. Exact (see TourOrder::exact) up to twelve stops, and up to
-/// some eighteen with one gate each; the rest by iterated local search. A step of the budget is: in
-/// the exact search, one set of stops; in the search with one gate a stop and the same costs both
-/// ways, one perturbation with its descent; else all moves of one stop.
+/// The best order found. Exact (see TourOrder::exact) up to twelve stops, and up to some eighteen
+/// with one gate each; beyond that by iterated local search. A step of the budget is: in the exact
+/// search, one set of stops; with one gate per stop and symmetrical costs, one perturbation with
+/// its descent; else all moves of one stop.
 ///
-/// Without bounds the search ends by itself after default_tour_steps: the same order for the same
-/// seed everywhere. With a clock it goes on until the clock or the steps end it. At any time there
-/// is an order: one that is cut at once is what cheapest insertion gives, and, where there is one
-/// gate a stop and the same costs both ways, one descent from there (1 ms for 200 stops, 24 ms for
-/// 1,000). Precondition: at least one stop, at most kMostStops, each with a gate; sizes agree.
-/// Source: spec 4.2 (tour).
+/// Without bounds the search ends after default_tour_steps, with the same order for the same seed
+/// on every machine. With a clock it continues until the clock or the steps end it. It always
+/// returns an order: at least that of cheapest insertion, followed, with one gate per stop and
+/// symmetrical costs, by one descent (1 ms for 200 stops, 24 ms for 1,000). Precondition: 1 to
+/// kMostStops stops, each with a gate; sizes agree. Source: spec 4.2 (tour).
 TourOrder solve_tour(const TourProblem& problem, const Budget& budget, std::uint64_t seed);
 
-/// Of the iterated search: 100 perturbations a stop, or 20,000 stops looked at. Measured on 200
-/// stops of seven kinds (bench/tour_bench.cpp): 19 to 58 ms of CPU where the costs are the same
-/// both ways, 62 to 65 ms where not.
+/// Default number of steps of the iterated search: 100 perturbations per stop (symmetrical costs),
+/// or the moves of 20,000 stops. Measured on 200 stops of seven kinds (bench/tour_bench.cpp): 19 to
+/// 58 ms of CPU with symmetrical costs, 62 to 65 ms otherwise.
 std::uint64_t default_tour_steps(const TourProblem& problem);
 
 }  // namespace skein::refiners
