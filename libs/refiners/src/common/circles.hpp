@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Circles by which a vehicle that cannot hover changes its height over a place; private.
+// Full circles in which a vehicle that cannot hover climbs or descends over a place; private.
 #pragma once
 
 #include "skein/refiners/flight.hpp"
@@ -7,18 +7,19 @@
 
 namespace skein::refiners {
 
-/// Curves are made of chords that leave them by no more [m].
+/// Greatest distance of chords from the sampled curve [m].
 inline constexpr double kTurnTolerance = 0.5;
 
 struct CircleRule {
   double slope = 0;   ///< the steepest [m/m], > 0
   double radius = 0;  ///< [m]
-  double least = 0;   ///< height over the ground, where one side has it and the other has not [m]
+  double least = 0;   ///< height over the ground [m] that decides between the two sides
 };
 
-/// Adds whole circles from `way.back()` up or down to the ENU height `to` over the same place, left
-/// of where the way goes on (`ahead`, a unit vector), or right of it where they are too low on the
-/// left and less so there. They begin and end there. Precondition: that is another height.
+/// Adds full circles from `way.back()` up or down to the ENU height `to` over the same place. They
+/// are flown on the left of the direction `ahead` (unit vector), or on the right if they would be
+/// below `rule.least` on the left and less so on the right. Precondition: `to` differs from the
+/// height of `way.back()`.
 void add_circles(Way& way, double to, const world::Vector2& ahead, const CircleRule& rule,
                  const world::Terrain& terrain);
 

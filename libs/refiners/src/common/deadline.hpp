@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The clock of a budget, for work that its steps do not count.
+// Polls the clock of a budget during work that is not counted in steps.
 #pragma once
 
 #include <cstdint>
@@ -9,25 +9,25 @@
 
 namespace skein::refiners {
 
-/// Asked often and cheaply: work is told by about how long it takes, and the clock is asked once
-/// enough has come together. Once the time is up it stays so: what is begun then is not wanted any
-/// more, and ends as soon as it can. Thread rule: one thread.
+/// Cheap to call often: callers report the estimated duration of their work, and the clock is
+/// polled once enough work has been reported. Once the time is up it stays so; running work should
+/// then end as soon as possible, since its result is discarded. Thread rule: one thread.
 class Deadline {
  public:
   explicit Deadline(const Budget& budget) : time_is_up_(budget.time_is_up) {}
 
-  /// False: there is no clock, the time is never up.
+  /// False: there is no clock, so the time is never up.
   bool is_set() const { return static_cast<bool>(time_is_up_); }
-  /// After that much more work [ns]; true once the time is up.
+  /// Reports the estimated duration [ns] of further work; true once the time is up.
   bool passed_after(std::uint32_t work) {
     constexpr std::uint32_t kEnough = 100'000;
     if (passed_ || !time_is_up_) return passed_;
     work_ += work;
     return work_ >= kEnough ? passed() : false;
   }
-  /// As far as is known: the clock is not asked.
+  /// Whether the time was up at the last poll.
   bool is_over() const { return passed_; }
-  /// By the clock, now.
+  /// Polls the clock; true once the time is up.
   bool passed() {
     work_ = 0;
     return passed_ = passed_ || (time_is_up_ && time_is_up_());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ground below a straight leg, as few points that no ground stands out of.
+// An upper profile of the ground below a straight leg, with few points.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ struct GroundPoint {
   double ground = 0;  ///< ENU z [m]
 };
 
-/// True when the ground is everywhere as high.
+/// Whether the whole terrain has one height.
 bool is_level(const world::Terrain& terrain);
 
 /// Fractions of a leg at which it crosses the lines of the grid of elevations, 0 and 1 among them,

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways without points that say nothing; private.
+// Removal of repeated points from paths; private.
 #pragma once
 
 #include "skein/refiners/flight.hpp"
 
 namespace skein::refiners {
 
-/// Points that close are one [m].
+/// Points within this distance [m] count as equal.
 inline constexpr double kSamePoint = 1e-6;
 
-/// The way with no point twice in succession; its first and last stay as they are. Of a way that
-/// stays where it begins, that one point.
+/// The path without equal points in succession; its ends are kept. A path that stays at its start
+/// becomes a single point.
 Way without_repeats(const Way& way);
 
 }  // namespace skein::refiners

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What straight flights take: estimate_flight for two places, for those who ask a million times.
+// Fast duration of straight flights: estimate_flight for two places, for millions of calls.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@ inline std::int64_t nearest_whole(double value) {
   return below + (value - static_cast<double>(below) >= 0.5 ? 1 : 0);
 }
 
-/// Reckons once what all flights have in common. The vehicle must outlive it.
+/// Precomputes the terms common to all flights. The vehicle must outlive this object.
 class StraightFlight {
  public:
   /// `speed` 0: cruise.
   StraightFlight(const world::VehicleModel& vehicle, const world::Wind& wind, double speed);
 
-  /// The expected time of estimate_flight({from, to}) [s]; infinite where that is for ever.
+  /// The expected time of estimate_flight({from, to}) [s]; infinite if the flight never ends.
   double seconds(const world::Vector3& from, const world::Vector3& to) const;
 
  private:

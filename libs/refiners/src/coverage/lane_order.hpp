@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// In which order and sense to fly the lanes of one block.
+// Order and direction of the lanes of one block.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@ namespace skein::refiners {
 /// An order of the lanes of a block, by their indices.
 using LaneOrder = std::vector<std::uint32_t>;
 
-/// One way of flying all the lanes of a block: every next one in the opposite sense.
+/// One sequence of all lanes of a block, flown in alternating directions.
 struct BlockOption {
   std::uint32_t order = 0;  ///< index into BlockOptions::orders
-  bool along = true;        ///< the first lane of that order is flown along x
-  bool backwards = false;   ///< all of it turned round, the last lane first
+  bool along = true;        ///< the first lane of the order is flown along x
+  bool backwards = false;   ///< the whole sequence is reversed, the last lane first
   double seconds = 0;       ///< lanes, and turns between them
   Pass first, last;
 };
@@ -27,21 +27,21 @@ struct BlockOptions {
   std::vector<BlockOption> options;
 };
 
-/// One lane after its neighbour, from either side, first in either sense; and for a vehicle whose
-/// turns are wider than the lanes, the least slow of the orders that skip lanes, which its U-turns
-/// then lead back to. Never empty. Precondition: the block has lanes.
+/// Lanes side by side, from either side, with the first in either direction; and for a vehicle
+/// whose turns are wider than the lanes also the fastest order that skips lanes and returns to them
+/// by U-turns. Never empty. Precondition: the block has lanes.
 BlockOptions options_of(const Block& block, const TurnModel& model);
 
-/// Seconds of a block if all of its lanes ended level: what its options take more comes from ends
-/// that are not. Cost: O(lanes).
+/// Duration [s] of a block if the ends of its lanes were aligned; its options take longer because
+/// of ends that are not. Cost: O(lanes).
 double level_seconds(const Block& block, const TurnModel& model);
 
-/// The lanes of a block as an option has them flown.
+/// The lanes of a block as flown by an option.
 std::vector<Pass> passes_of(const Block& block, const BlockOptions& options,
                             const BlockOption& option);
 
-/// `lanes` in rounds: the first half of each interleaved with its second half, so that turns lead
-/// over half a round, or one lane less or more.
+/// An order of `lanes` in rounds: the first half of each round interleaved with its second half, so
+/// that each turn spans half a round, plus or minus one lane.
 LaneOrder interleaved(std::size_t lanes, std::size_t rounds);
 
 }  // namespace skein::refiners

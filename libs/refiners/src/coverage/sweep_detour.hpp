@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways around the volumes between the lanes of a sweep.
+// Paths around volumes between the lanes of a sweep.
 #pragma once
 
 #include <functional>
@@ -10,9 +10,9 @@
 
 namespace skein::refiners {
 
-/// What stands in the air at the height of the lanes.
+/// The obstacles at the height of the lanes.
 struct Obstacles {
-  /// True when the straight line may be flown there.
+  /// Whether the straight segment is free.
   std::function<bool(const world::Vector2&, const world::Vector2&)> is_free;
   std::vector<world::Polygon> outlines;
 };

@@ -9,7 +9,7 @@
 
 namespace skein::refiners {
 
-/// What is to be swept: `outer` without the holes.
+/// The area to sweep: `outer` without the holes.
 struct Region {
   world::Polygon outer;
   std::vector<world::Polygon> holes;
@@ -38,23 +38,23 @@ struct Strip {
 /// Lanes that lie side by side, in the order of y: each overlaps the next along x.
 using Block = std::vector<Strip>;
 
-/// How wide the region is across the lanes.
+/// Extent of the region across the lanes.
 struct Breadth {
   double low = 0, high = 0;
   double width() const { return high - low; }
 };
 Breadth breadth_of(const world::Polygon& turned);
 
-/// max(1, ceil(width / swath)), where a width that exceeds a whole number of swaths by rounding
-/// only does not count as more.
+/// max(1, ceil(width / swath)), ignoring an excess over a whole number of swaths that is only due
+/// to rounding.
 std::size_t lane_count(double width, double swath);
 
-/// One lane per strip of equal height; each runs as far as the polygon does anywhere in its strip,
-/// so that what it perceives holds all of the polygon there. Cost: O(corners + lanes).
+/// One lane per strip of equal height; each spans the extent of the polygon in its strip, so that
+/// its swath covers all of the polygon there. Cost: O(corners + lanes).
 void whole_strips(const world::Polygon& turned, double swath, Block& lanes);
 
-/// The same strips, with the lanes cut where nothing is to be swept for more than `gap` metres,
-/// and grouped in blocks. Cost: O(corners × (log corners + edges across) + lanes).
+/// The same strips, with lanes cut where more than `gap` metres need no sweeping, grouped in
+/// blocks. Cost: O(corners × (log corners + edges across) + lanes).
 std::vector<Block> split_strips(const Region& turned, double swath, double gap);
 
 }  // namespace skein::refiners

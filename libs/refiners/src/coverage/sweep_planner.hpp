@@ -18,12 +18,12 @@ struct SweepTask {
   SweepMode mode = SweepMode::kLeastTime;
   double direction = 0;  ///< for kGiven [rad]
   SweepEnds ends;        ///< in the local frame
-  /// Of the air, as far as it moves the vehicle [m/s]: lanes with and against it take longer.
+  /// The part of the wind that moves the vehicle [m/s]: two lanes with and against it take longer
+  /// than in still air.
   world::Vector2 wind = world::Vector2::Zero();
-  /// True when a lane may be flown there; empty: everywhere.
+  /// Whether a lane is free; empty: always.
   std::function<bool(const world::Vector2&, const world::Vector2&)> is_free;
-  /// Asked before each set of lanes, of which one over many corners takes milliseconds; empty:
-  /// never.
+  /// Polled before each set of lanes, which takes milliseconds for many corners; empty: no limit.
   std::function<bool()> time_is_up;
 };
 
@@ -34,8 +34,8 @@ struct Sweep {
   std::size_t blocks = 0;
 };
 
-/// Nothing when no lanes were found that may be flown. One step of the countdown is one direction
-/// of lanes; at least one is tried. Precondition: a simple outer polygon, holes inside it.
+/// Nothing if no free lanes were found. A step of the countdown is one direction; at least one is
+/// tried. Precondition: a simple outer polygon, holes inside it.
 std::optional<Sweep> plan_sweep(const SweepTask& task, const TurnModel& model,
                                 Countdown& countdown);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a straight leg is inside an upright prism; private.
+// Intersections of a straight leg with an upright prism; private.
 #pragma once
 
 #include <optional>
@@ -14,18 +14,18 @@ struct LegPart {
   double from = 0, until = 1;
 };
 
-/// The parts inside the volume, in order, whatever the time; touching its outside in a point, or
-/// along its floor or ceiling, is not inside. Cost: O(k log k), where k is its number of corners.
+/// The parts of the leg inside the volume, in order, regardless of time; contact in a point, or
+/// along floor or ceiling, does not count. Cost: O(k log k) for k corners.
 std::vector<LegPart> parts_inside(const world::Volume& volume, const world::Vector3& from,
                                   const world::Vector3& to);
 
-/// When a leg may be flown: its beginning and what it takes, each between bounds.
+/// Bounds on the start and the duration of a leg.
 struct LegTimes {
-  MissionTime earliest, latest;  ///< it begins
-  Duration least, most;          ///< it takes
+  MissionTime earliest, latest;  ///< start
+  Duration least, most;          ///< duration
 };
 
-/// The first fraction of the part at which it may be flown while the window is open.
+/// The first fraction of the leg, within the part, that may be flown while the window is open.
 std::optional<double> first_within(const LegPart& part, const LegTimes& times,
                                    const world::TimeWindow& window);
 

@@ -19,7 +19,7 @@ struct Station {
   double z = 0;  ///< [m]
 };
 
-/// What limits a way.
+/// Limits of a vehicle that bound its paths.
 struct FlightLimits {
   double radius = 1;              ///< [m], > 0
   double climb = 0, descent = 0;  ///< greatest rise and fall per level distance, > 0
@@ -30,20 +30,20 @@ class FlyableLegs {
  public:
   using IsFree = std::function<bool(const world::Vector3&, const world::Vector3&)>;
 
-  /// `is_free` is asked at most `most_asked` times over the life of this, and not when the time is
-  /// up; nothing is free from then on. It must outlive this.
+  /// Calls `is_free` at most `most_asked` times in total, and not after the time is up; from then
+  /// on every segment counts as blocked. `is_free` must outlive this object.
   FlyableLegs(const FlightLimits& limits, const IsFree& is_free, std::uint64_t most_asked,
               const Budget& budget = {})
       : limits_(limits), is_free_(is_free), left_(most_asked), deadline_(budget) {}
 
-  /// No leg between the two is shorter [m, level].
+  /// Lower bound on the horizontal length of a leg between two stations [m].
   double least_length(const Station& from, const Station& to) const;
-  /// A free leg, about the shortest; both stations are in it. `thorough`: more places to turn
-  /// climbing circles are tried.
+  /// About the shortest free leg, including both stations; nothing: none found. `thorough`: tries
+  /// more places for climbing circles.
   std::optional<Way> leg(const Station& from, const Station& to, bool thorough);
 
   bool exhausted() const { return left_ == 0; }
-  /// After about as many comparisons of two stations; true once it is exhausted.
+  /// Reports the work of comparing stations; true once the budget is exhausted.
   bool exhausted_after(std::uint32_t comparisons) {
     constexpr std::uint32_t kCompared = 1500;  // [ns]
     if (deadline_.passed_after(comparisons * kCompared)) left_ = 0;
@@ -63,7 +63,7 @@ class FlyableLegs {
   Deadline deadline_;
 };
 
-/// The level part of its length [m].
+/// Horizontal length of a path [m].
 double level_length(const Way& way);
 
 }  // namespace skein::refiners

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shortest free way through one station of each layer.
+// The shortest free path through one station of each layer.
 #pragma once
 
 #include <vector>
@@ -19,8 +19,8 @@ struct FoundWay {
   std::size_t furthest = 0;  ///< layer reached
 };
 
-/// Lazy A*: legs are made and checked only when nothing shorter can be left, with what the legs
-/// that remain take at least as the heuristic.
+/// Lazy A*: a leg is computed and checked only when it is the most promising one; the heuristic is
+/// the lower bound on the remaining legs.
 FoundWay search_stations(const std::vector<StationLayer>& layers, FlyableLegs& legs,
                          const StationSearch& search);
 

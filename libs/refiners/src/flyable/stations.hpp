@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where, and under which heading, a vehicle that cannot hover may pass the corners of a way.
+// Candidate positions and headings at which a vehicle that cannot hover passes the corners of a
+// path.
 #pragma once
 
 #include <vector>
@@ -9,10 +10,10 @@
 
 namespace skein::refiners {
 
-/// The stations that may stand for one corner, or for a point on a leg.
+/// The candidate stations for one corner, or for a point on a leg.
 struct StationLayer {
   std::vector<Station> stations;
-  std::size_t corner = 0;  ///< the one it stands for, or that follows it
+  std::size_t corner = 0;  ///< index of the corner, or of the next one after the point
 };
 
 /// One layer per corner, the first and last with the headings asked for. `wide`: more stations per

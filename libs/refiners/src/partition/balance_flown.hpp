@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of divisions that coverage balances, one whose parts are flown in about the same time.
+// Refines a balanced division by the durations of real flight.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace skein::refiners::partition {
 
-/// `best`, or one of those that were planned, or one like those: as they are flown in thought, some
-/// dozens of sweeps of each member. `best` as it is where what is flown is not known.
+/// Returns `best` or a similar division that is better balanced by the durations of real flight
+/// (FlownSweep), after some dozens of sweeps of each member; `best` unchanged if those are unknown.
 /// Precondition: planner.flies().
 Trial balance_flown(Planner& planner, Trial best, std::vector<Track> tracks,
                     std::vector<Trial> planned);

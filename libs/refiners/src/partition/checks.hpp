@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with a partition query.
+// Checks of a partition query.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace skein::refiners {
 
-/// More members than anyone shares an area out among.
+/// Most members of a query.
 inline constexpr std::size_t kMostMembers = 64;
 
 /// The first fault of the query, if any.

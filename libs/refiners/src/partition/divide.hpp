@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The division of a convex polygon, with what became of each anchor.
+// The division of a convex polygon, with the anchors used.
 #pragma once
 
 #include <vector>
@@ -11,12 +11,12 @@ namespace skein::refiners::partition {
 
 struct Division {
   std::vector<world::Polygon> parts;    ///< as divide() gives them
-  std::vector<world::Vector2> anchors;  ///< what each part was anchored at
+  std::vector<world::Vector2> anchors;  ///< the anchor used for each part
 };
 
-/// As divide(), but up to `most` ways to do it, the most compact parts first; at least one, or none
-/// when the time of the budget was up before one of many pieces was found. More than four anchors
-/// are divided in one way only. `between` (0, 1): which of the cuts that could be turned are taken.
+/// Like divide(), but up to `most` divisions, the most compact first; at least one, or none if the
+/// time of the budget was up before one of many pieces was found. For more than four anchors only
+/// one division. `between` (0, 1): position chosen within each range of possible cuts.
 std::vector<Division> divisions(const world::Polygon& area,
                                 const std::vector<world::Vector2>& anchors,
                                 const std::vector<double>& shares, std::size_t most,

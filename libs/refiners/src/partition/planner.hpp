@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plans the sweeps of one division, and learns from them what the members can do.
+// Plans the sweeps of a division, and estimates the members' abilities from them.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace skein::refiners::partition {
 
-/// One division, with all that is planned in it.
+/// One division with its planned sweeps.
 struct Trial {
   std::vector<double> areas;  ///< [m²]
   Division division;
@@ -20,10 +20,10 @@ struct Trial {
   double latest = 0;              ///< expected finish [s]
   double spread = 0;              ///< as in Partition
   std::vector<double> altitudes;  ///< of the sweeps over the ground [m]
-  bool flown = false;             ///< sweeps take what is flown, else what coverage has
+  bool flown = false;             ///< durations are those of real flight, else of coverage
 };
 
-/// Latest finish of a trial, and how far before it the first one is.
+/// Computes `latest` and `spread` of a trial.
 void judge(Trial& trial);
 
 class Planner {
@@ -31,32 +31,32 @@ class Planner {
   /// Both must outlive it. Precondition: check_partition passes.
   Planner(const PartitionQuery& query, const Setting& setting);
 
-  /// What the members could do at best: sweeping at full speed from the first second, no turns.
+  /// Ideal abilities of the members: sweeping at full speed from the first second, without turns.
   std::vector<Ability> abilities() const;
-  /// As divisions(), anchored at the starts: none where the time is up.
+  /// Like divisions(), anchored at the members' starts; none if the time is up.
   std::vector<Division> divide(const std::vector<double>& areas, std::size_t most,
                                double between = 0.5) const;
   /// One step for each member; of the first way to divide, if none is given.
   Result<Trial, Refusal> plan(const std::vector<double>& areas);
   Result<Trial, Refusal> plan(const std::vector<double>& areas, Division division);
 
-  /// That of one member at another altitude; nothing has changed when it is refused.
+  /// Replans the sweep of one member at another altitude; on refusal nothing has changed.
   Result<void, Refusal> fly_at(Trial& trial, std::size_t member, double altitude);
 
   bool has_energy(const Trial& trial) const;
-  /// Lowers the limits of those that lack the energy for their part.
+  /// Lowers the limits of members that lack the energy for their part.
   void learn_limits(const Trial& trial, std::vector<Ability>& abilities) const;
-  /// What each really sweeps in a second, and when it begins.
+  /// Sets each member's real sweep rate, and the time at which it begins.
   void learn_rates(const Trial& trial, std::vector<Ability>& abilities) const;
   /// The same of one member.
   void learn_rate(const Trial& trial, std::size_t member, Ability& ability) const;
 
-  /// Sweeps can be reckoned as they are flown.
+  /// Whether durations of real flight are available.
   bool flies() const { return query_.flown && !effort_.cut_short; }
-  /// The sweep of one member takes what the query has flown; false: that is not known.
+  /// Sets the duration of one member's sweep to that of real flight; false: unknown.
   bool fly(Trial& trial, std::size_t member) const;
 
-  /// True once the budget is used up, but not before anything is planned.
+  /// Whether the budget is used up and at least one sweep is planned.
   bool finished();
   bool out_of_budget() const;
   const Effort& effort() const { return effort_; }
@@ -79,13 +79,12 @@ class Planner {
 /// Fraction of the energy held when full that may be used.
 double usable(const Member& member);
 
-/// Raises sweeps until all are as far apart as the query asks for, or says why they cannot be;
-/// false when the time was up before.
+/// Raises sweeps until all are separated by PartitionQuery::apart; refused if impossible, false if
+/// the time was up before.
 Result<bool, Refusal> keep_apart(Planner& planner, Trial& trial);
 
-/// The division, of those tried, that all finish soonest and most nearly together; nothing when
-/// none was found that everybody has the energy for, or when the first that is tried is refused
-/// (then `refusal` says why).
+/// The division tried with the earliest and most balanced finish; nothing if none is within the
+/// energy of all members, or if the first one tried is refused (`refusal` then has the reason).
 std::optional<Trial> balance(Planner& planner, std::optional<Refusal>& refusal);
 
 }  // namespace skein::refiners::partition

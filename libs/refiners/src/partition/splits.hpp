@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every way to cut a convex piece in two by a line, with the right area and the right anchors on
-// either side.
+// All cuts of a convex piece in two by a line, with matching area and anchors on either side.
 #pragma once
 
 #include <vector>
@@ -9,21 +8,21 @@
 
 namespace skein::refiners::partition {
 
-/// What is to be shared out, the same through the whole division.
+/// Anchors and areas to satisfy, constant through the whole division.
 struct Claims {
   std::vector<Vector2> anchors;
   std::vector<double> shares;
   double scale = 1;         ///< size of the whole area [m]
   double rounding = 1e-11;  ///< of the size
-  double between = 0.5;     ///< which lines between two are taken, (0, 1)
+  double between = 0.5;     ///< position of lines taken between two extreme ones, (0, 1)
 
-  /// How far from its part an anchor may be by rounding [m].
+  /// Distance of an anchor from its part that counts as rounding [m].
   double tolerance() const { return rounding * scale; }
   double snap() const { return 1e-13 * scale; }
   double sum(const std::vector<std::size_t>& who) const;
 };
 
-/// A convex piece and who has to find room in it.
+/// A convex piece and the claims to satisfy in it.
 struct Piece {
   Polygon polygon;
   std::vector<std::size_t> who;  ///< indices of claims, ascending
@@ -31,16 +30,16 @@ struct Piece {
 
 struct Split {
   Piece below, above;
-  double cost = 0;  ///< less is more compact
+  double cost = 0;  ///< compactness: less is more compact
 };
 
-/// How far from round parts are, the less the better: perimeter² / area.
+/// perimeter² / area: the less, the more compact.
 double slenderness(const Polygon& polygon);
 
-/// The lines that have, below them, anchors (on them counts as either side) whose claims are
-/// together the area below. All of those that pass through an anchor, so that there is one exactly
-/// when any exists: a line can be turned, the area below it kept, until it meets an anchor; and one
-/// between any two such with the same anchors below. The best first.
+/// The lines for which the area below equals the sum of the claims of the anchors below (anchors on
+/// the line count to either side), best first: all such lines through an anchor, so that one is
+/// found exactly if any exists (a line can be turned with constant area until it meets an anchor),
+/// and one line between any two of them with the same anchors below.
 /// Cost: O(n (v + n) v) for n anchors and v corners.
 std::vector<Split> splits_of(const Piece& piece, const Claims& claims);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A way to divide an area, followed while the shares change.
+// A scheme of division, followed while the shares change.
 #pragma once
 
 #include <vector>
@@ -11,18 +11,18 @@ namespace skein::refiners::partition {
 struct Track {
   Division last;
   std::vector<Ability> abilities;
-  double promise = 0;  ///< when all would end if they went on as they did [s]
-  bool flown = false;  ///< the best that was flown came of it
+  double promise = 0;  ///< extrapolated common finish [s]
+  bool flown = false;  ///< the best division by real flight is of this track
 };
 
-/// Ways to divide that are looked at.
+/// Number of schemes that are tried.
 inline constexpr std::size_t kWays = 24;
-/// A spread that nobody minds.
+/// A spread of finishes that is good enough.
 inline constexpr double kFineSpread = 0.01;
 
-/// Of its corners [m].
+/// Mean of the part's corners [m].
 world::Vector2 middle_of(const world::Polygon& part);
-/// Less when parts lie where the other's do: sum of the squares between their middles [m²].
+/// Dissimilarity of two divisions: sum of the squared distances of their parts' middles [m²].
 double unlikeness(const Division& a, const Division& b);
 
 }  // namespace skein::refiners::partition

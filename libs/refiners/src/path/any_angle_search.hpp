@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways between voxel centres whose legs have any direction.
+// Any-angle path search between voxel centres.
 #pragma once
 
 #include <cstdint>
@@ -17,19 +17,18 @@ struct AnyAngleWay {
   bool cut_short = false;  ///< by the clock
 };
 
-/// What makes the search shorter, at the price of ways that are a little longer.
+/// Speeds up the search, at the price of slightly longer paths.
 struct AnyAngleHelp {
-  double greed = 1;                 ///< what the straight distance left counts, >= 1
-  GraphDistances* known = nullptr;  ///< of a search of the graph between the same two: searched
-                                    ///< from the goal, so that dead ends are not looked into again
+  double greed = 1;                 ///< weight of the heuristic (straight distance left), >= 1
+  GraphDistances* known = nullptr;  ///< distances of a graph search between the same voxels; the
+                                    ///< search then runs from the goal and avoids known dead ends
 };
 
-/// A good way, not the best one: among straight legs between voxel centres, found by A* over the 26
-/// neighbours where each node hangs on the last corner that sees it (Lazy Theta*, Nash, Koenig and
-/// Tovey 2010). The facet graph measures lengths by its own directions, so its best way can pass on
-/// the wrong side of things; this one has no such grain. Looks at nothing from which
-/// it is estimated at `bound` [m × cost] or more. Memory: 8 bytes for each voxel of the blocks of
-/// 8³ that are reached.
+/// A good path, not the best one, of straight legs between voxel centres: A* over the 26
+/// neighbours, in which the parent of a node is the last corner with line of sight to it (Lazy
+/// Theta*, Nash, Koenig and Tovey 2010). Unlike the facet graph it does not distort lengths by
+/// direction. Nodes with an estimated total cost of `bound` [m × cost] or more are not expanded.
+/// Memory: 8 bytes for each voxel of the blocks of 8³ that are reached.
 AnyAngleWay search_any_angle(const world::Airspace& airspace, const world::Voxel& from,
                              const world::Voxel& to, double bound, const Budget& budget,
                              const AnyAngleHelp& help = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a place to the voxels.
+// Joins a place to the voxel graph.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace skein::refiners {
 
-/// How to get from a place that is free itself, though its voxel is not wholly so, to a free voxel:
-/// through voxels of an eighth of the side, around the place only. So that near the ground what
-/// counts is how high the place is, not the highest ground of its voxel.
+/// The path from a free place in a voxel that is not entirely free to a free voxel, through voxels
+/// of an eighth of the side around the place. Near the ground the height of the place itself thus
+/// counts, not the highest ground in its voxel.
 struct Approach {
   world::Voxel voxel{};  ///< where it joins the graph
-  Way way;               ///< from the place to the voxel's centre; the place alone when it is in it
-  std::optional<world::Airspace> near;  ///< the fine voxels; nothing when they were not needed
+  Way way;               ///< from the place to the voxel's centre; only the place if inside it
+  std::optional<world::Airspace> near;  ///< the fine voxels; nothing if they were not needed
 };
 
 /// `toward`: the other end of the way; voxels on its side are preferred. Nothing when the place is

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search of the way-point graph, with what it leaves for other searches.
+// The search of the way-point graph, with distances for reuse by other searches.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace skein::refiners {
 
-/// How far voxels are from the start of a search of the graph, as far as it came. Only for
-/// airspaces with one crossing cost everywhere.
+/// Distances of voxels from the start of a graph search, where it expanded them. Only for airspaces
+/// with a uniform crossing cost.
 class GraphDistances {
  public:
   /// `cost`: of the way found, in units of FacetCosts. `size`: of the grid.
@@ -18,7 +18,7 @@ class GraphDistances {
                  std::int64_t cost, const std::array<std::int32_t, 3>& size)
       : table_(std::move(table)), size_(size), from_start_(from, 1), to_goal_(to, 1), cost_(cost) {}
 
-  /// Along the graph [voxels], but for about one; at least that where the search did not come.
+  /// Distance along the graph [voxels], to about one voxel; a lower bound where not expanded.
   double from_start(const world::Voxel& voxel);
 
  private:
@@ -30,12 +30,12 @@ class GraphDistances {
 
 struct GraphSearch {
   GraphWay way;
-  std::optional<GraphDistances> distances;  ///< where a way was found, between two voxels
-  /// It was found by the search from the goal to the start: the distances are from the goal.
+  std::optional<GraphDistances> distances;  ///< present if a path between two voxels was found
+  /// The path was found by the search from the goal to the start: distances are from the goal.
   bool backwards = false;
 };
 
-/// As search_graph.
+/// Like search_graph, with distances.
 GraphSearch search_graph_widely(const world::Airspace& airspace, const world::Voxel& from,
                                 const world::Voxel& to, const Budget& budget);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of the air one path query may use.
+// Free airspace of one path query.
 #pragma once
 
 #include <optional>
@@ -11,26 +11,27 @@
 
 namespace skein::refiners {
 
-/// Builds the airspace of one query, at any resolution. The query must be in order
-/// (path_checks.hpp) and outlive it, as the world must.
+/// Builds the airspace of one query, at any resolution. Precondition: the query is valid
+/// (path_checks.hpp). Query and world must outlive this object.
 class PathSpace {
  public:
-  /// For a flight that takes no longer than `flight`: of the volumes with a time window only those
-  /// that the vehicle can meet, however fast it comes and however late it leaves.
+  /// For a flight of at most `flight`: volumes with a time window count only if it overlaps that
+  /// time.
   PathSpace(const PathQuery& query, const world::World& world, Duration flight);
 
-  /// Nothing when the time is up before; what takes less than some milliseconds is always made.
+  /// Nothing if the time is up before; an airspace that takes less than some milliseconds is always
+  /// built.
   std::optional<world::Airspace> airspace(const world::AirspaceGrid& grid,
                                           const Budget& budget) const;
-  /// Which of the world's volumes and the reserved ones count, in this order.
+  /// Whether each volume counts: those of the world, then the reserved ones.
   const std::vector<bool>& counted() const { return counted_; }
-  /// True when the ground and the volumes themselves, not the voxels they touch, leave the segment
-  /// free: 3 × margin over the ground at least, which keeps as much from slopes of up to 70°. Never
-  /// where radio contact is asked for.
+  /// Whether the segment is free of the ground and the volumes themselves, instead of the voxels
+  /// they touch: at least 3 × margin over the ground, which keeps the margin from slopes of up to
+  /// 70°. Always false if radio contact is required.
   bool is_free(const world::Vector3& from, const world::Vector3& to) const;
-  /// Why the place of that field is closed.
+  /// The reason why a place is closed; `field` names it in the query.
   Refusal closed(const world::Vector3& place, const std::string& field) const;
-  /// Without the radio contact asked for.
+  /// The same space without the requirement of radio contact.
   PathSpace without_contact() const;
 
   /// How far from a blocked voxel's contents the vehicle stays on all sides [m]: its body, and what

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws a way taut between its ends.
+// Pulls a path straight between its ends.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace skein::refiners {
 
-/// Every move keeps the way free and makes it cost less, so it can be stopped at any time. First
-/// the best choice of way-points among those given; then, in rounds, corners slide along one axis
-/// at a time (which is how they slide along the edges of voxels), are cut off and are left out,
-/// until a round gains too little. Near blocked voxels corners stay off their faces by kInset.
+/// Every move keeps the path free and reduces its cost, so it can be stopped at any time. First the
+/// best subset of the given way-points; then, in rounds, corners are moved along one axis at a time
+/// (so that they slide along the edges of voxels), cut off and removed, until a round gains too
+/// little. Corners keep a distance of kInset from faces of blocked voxels.
 class StringPuller {
  public:
   /// Distance from the faces of blocked voxels [voxels].
@@ -32,8 +32,8 @@ class StringPuller {
  private:
   std::optional<double> cost(const world::Vector3& a, const world::Vector3& b) const;
   double leg_cost(const world::Vector3& a, const world::Vector3& b) const;
-  /// The least costly way over some of the points, in their order; each leg leaves out fewer than
-  /// `reach` of them.
+  /// The least costly path over a subset of the points, in their order; each leg skips fewer than
+  /// `reach` points.
   Way best_choice(const Way& way, std::size_t reach) const;
   double slide_corners(Way& way) const;
   double slide(Way& way, std::size_t corner, Eigen::Index axis) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether free voxels hang together.
+// Connectivity of free voxels.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace skein::refiners {
 
-/// Whether a way over faces joins two free voxels, by a flood from the first; nothing when it has
-/// not met the other within `most` voxels, or the time is up. Far cheaper than a search that has to
-/// exhaust the air. Memory: a bit a voxel.
+/// Whether two free voxels are connected over faces, by a flood fill from the first; nothing if the
+/// other is not met within `most` voxels, or the time is up. Far cheaper than a search that
+/// exhausts the airspace. Memory: one bit per voxel.
 std::optional<bool> connected(const world::Airspace& airspace, const world::Voxel& from,
                               const world::Voxel& to, std::size_t most, const Budget& budget);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ground to be patrolled, and the short tracks from which all of it is perceived.
+// The cells of a patrol, and short tracks from which all of them are perceived.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,15 @@ namespace skein::refiners {
 struct PatrolField {
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-  std::vector<std::size_t> cells;   ///< of the grid, in its order: that can be perceived
-  std::vector<double> risk;         ///< of each of them, >= the least risk
-  std::vector<std::uint32_t> slot;  ///< per cell of the grid: its place in `cells`, or kNone
+  std::vector<std::size_t> cells;   ///< perceivable cells of the grid, ascending
+  std::vector<double> risk;         ///< of each of `cells`, >= the least risk
+  std::vector<std::uint32_t> slot;  ///< per cell of the grid: its index in `cells`, or kNone
   std::vector<bool> open;           ///< per cell of the grid: the vehicle may be over its centre
   std::size_t hidden = 0;           ///< cells of the zone that cannot be perceived
   double total_risk = 0;
 };
 
-/// A piece of a lane: flown from one end to the other, either way, it perceives its cells.
+/// A piece of a lane. The vehicle perceives all its cells by flying it in either direction.
 struct PatrolBlock {
   std::vector<world::Vector2> track;  ///< at least one point; every segment is open
   std::vector<std::uint32_t> cells;   ///< places in PatrolField::cells; each is of one block only
@@ -31,15 +31,15 @@ struct PatrolBlock {
   std::size_t lane = 0;               ///< lanes count across; blocks of one are in order along it
 };
 
-/// What the blocks of a vehicle may be like.
+/// Constraints on the blocks.
 struct PatrolLayout {
-  bool straight = false;           ///< tracks without a bend, for what cannot hover
-  std::size_t most_blocks = 1024;  ///< longer pieces are made to keep to about that
+  bool straight = false;           ///< tracks without bends, for vehicles that cannot hover
+  std::size_t most_blocks = 1024;  ///< approximate limit, kept by longer pieces
 };
 
 /// Cells of the zone whose centre is perceived from over the centre of an open cell (or its own).
-/// A risk below `least` counts as `least`. What is made when the deadline of the sight has passed
-/// is not whole.
+/// A risk below `least` counts as `least`. The result is incomplete if the deadline of the sight
+/// has passed.
 PatrolField make_patrol_field(const PatrolSpace& space, const PatrolSight& sight,
                               const world::Polygon& zone, const std::vector<double>& risk,
                               double least);
@@ -52,7 +52,7 @@ PatrolField make_patrol_field(const PatrolSpace& space, const PatrolSight& sight
 std::vector<PatrolBlock> make_patrol_blocks(const PatrolField& field, const PatrolSpace& space,
                                             const PatrolSight& sight, const PatrolLayout& layout);
 
-/// Leaves only the cells and blocks that `keep` says; what is left out counts as hidden.
+/// Keeps only the blocks marked in `keep`, and their cells; other cells count as hidden.
 void leave_only(PatrolField& field, std::vector<PatrolBlock>& blocks,
                 const std::vector<bool>& keep);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When each cell was last perceived along a flight, and what that makes of its idleness.
+// Last perception and idleness of each cell along a flight.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,20 @@
 
 namespace skein::refiners {
 
-/// Follows a flight leg by leg. Idleness is 0 while a cell is perceived and since the start before
-/// it first was. Figures are exact for straight legs at an even pace, over the time from `from` on.
+/// Follows a flight leg by leg. The idleness of a cell is 0 while it is perceived, and counts from
+/// the start before its first perception. Figures are exact for straight legs at constant speed,
+/// over the time from `from` on.
 class IdlenessLog {
  public:
-  /// The field and the sight must outlive it.
+  /// The field and the sight must outlive this object.
   IdlenessLog(const PatrolField& field, const PatrolSight& sight, double from);
 
   /// Flies straight on, from now to `until` [s].
   void fly(const world::Vector2& from, const world::Vector2& to, double until);
   double now() const { return now_; }
-  /// When a cell was last perceived [s]; 0 when it never was.
+  /// Last perception of each cell [s]; 0: never.
   const std::vector<double>& last_seen() const { return last_; }
-  /// Of the time since `from`, as if the flight ended now. Bounds are those of make_bounds.
+  /// Figures of the time since `from`, for a flight that ends now; with the bounds of make_bounds.
   PatrolFigures figures() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which blocks to visit next, and in which order.
+// Plans the laps of a patrol: the blocks to visit next, and their order.
 #pragma once
 
 #include <vector>
@@ -8,37 +8,37 @@
 
 namespace skein::refiners {
 
-/// How the time is shared out.
+/// Parameters of lap planning.
 struct LapRule {
   double length = 0;   ///< of a lap [m], > 0; infinite: every lap visits every block
   double power = 0.5;  ///< cells rank by risk^power × idleness: 0.5 is best for the mean, 1 for the
                        ///< worst
 };
 
-/// What laps are planned over. All must outlive the planner.
+/// The input of lap planning. All must outlive the planner.
 struct LapGround {
   const PatrolField& field;
   const std::vector<PatrolBlock>& blocks;
   const PatrolLinks& links;
   const std::vector<Visit>& whole;      ///< a round over all blocks
   double speed = 1;                     ///< [m/s]
-  const PatrolSpace* walked = nullptr;  ///< where turns may be sharp; null: they may not
+  const PatrolSpace* walked = nullptr;  ///< space for sharp turns; null: no sharp turns possible
 };
 
-/// Patrols in laps. Each lap commits to targets: the blocks that would rank highest at its end had
-/// they been left out, those whose risk × idleness would grow beyond what the most risky block has
-/// to wait for anyway, and the one that is worst of all, however far. What ranks high against the
-/// distance it adds is then swept on the way, until the lap is as long as the rule says. The order
-/// is that of the lap before, and the lap begins where it keeps regular what is visited every lap;
-/// what is left out ranks higher lap by lap, so that nothing is left out for ever. Thread rule: one
+/// Plans a patrol in laps. Each lap commits to targets: the blocks that would rank highest at its
+/// end if left out, the blocks whose risk × idleness would exceed the unavoidable one of the most
+/// risky block, and the worst block of all, however far away. Then blocks with a high rank for the
+/// distance they add are inserted until the lap has its length. The order follows the lap before,
+/// and the lap begins where it keeps the visits of every-lap blocks regular. The rank of a block
+/// that is left out grows from lap to lap, so every block is visited eventually. Thread rule: one
 /// thread.
 class LapPlanner {
  public:
-  /// `deadline` must outlive it: a lap that is planned when it has passed is not wanted.
+  /// `deadline` must outlive the planner; a lap planned after it has passed must be discarded.
   LapPlanner(const LapGround& ground, const LapRule& rule, Deadline& deadline);
 
-  /// The next lap, at an instant [s], with when each cell was last perceived [s]. At least one
-  /// visit. Cost: O(blocks × blocks of the lap).
+  /// The next lap from the instant `now` [s], given the last perception of each cell [s]. At least
+  /// one visit. Cost: O(blocks × blocks of the lap).
   const std::vector<Visit>& next(const std::vector<double>& last_seen, double now);
 
  private:
@@ -72,16 +72,16 @@ class LapPlanner {
   Deadline& deadline_;
   double speed_;
   LapRule rule_;
-  double pitch_;  ///< mean way per block when all are visited in turn [m]
+  double pitch_;  ///< mean distance per block when all are visited in turn [m]
   double most_risk_;
   std::vector<double> weight_;   ///< risk^power, per cell
   std::vector<double> value_;    ///< Σ (weight × idleness)² at the end of the lap, per block
-  std::vector<double> urgency_;  ///< greatest risk × idleness if it is left out, per block
+  std::vector<double> urgency_;  ///< greatest risk × idleness if the block is left out, per block
   std::vector<double> risk_;     ///< of the cell of the block with the greatest risk × idleness
   std::vector<double> idle_;     ///< of that cell, now
-  std::vector<Visit> lap_;       ///< this one; until it is made, the one before
+  std::vector<Visit> lap_;       ///< this lap; during its planning the previous one
   Visit last_ = kNowhere;        ///< visit of the lap before
-  std::vector<Visit> next_;      ///< of the ring, per visit; kNowhere: not in it
+  std::vector<Visit> next_;      ///< successor in the ring, per visit; kNowhere: not in the ring
   std::vector<Place> places_;    ///< per block that is not in the ring
   double length_ = 0;            ///< of the ring [m]
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far it is from the end of one block to the beginning of another, and the way there.
+// Distances and paths from the end of one block to the beginning of another.
 #pragma once
 
 #include <cstdint>
@@ -13,40 +13,41 @@ namespace skein::refiners {
 /// Block b flown forwards is 2 b, backwards 2 b + 1.
 using Visit = std::uint32_t;
 
-/// Turns of a vehicle that cannot hover may leave the zone by as many turn radii, never what is
-/// closed: the widest turn back onto a track beside the last takes about as much.
+/// Turns of a vehicle that cannot hover may leave the zone by this many turn radii (but never enter
+/// a closed volume), which is about what the widest turn onto the neighbouring track needs.
 inline constexpr double kTurningRoom = 3;
 
 /// Links are straight, or shortest curves of bounded curvature for a vehicle that cannot hover;
-/// where that is closed, they lead over other blocks. Reversible: there and back are as far.
-/// Prepared once. Thread rule: one thread (it remembers).
+/// where such a link is closed, the path leads over other blocks. Symmetrical: both directions have
+/// the same length. Thread rule: one thread (it caches).
 class PatrolLinks {
  public:
   /// `radius`: least turn radius [m]; 0: hovers. `tolerance`: of the chords of curves [m].
-  /// The blocks and the space must outlive it.
+  /// The blocks and the space must outlive this object.
   PatrolLinks(const std::vector<PatrolBlock>& blocks, const PatrolSpace& space, double radius,
               double tolerance);
 
-  /// Looks for what detours lead over, so that no question takes long afterwards; false when the
-  /// time is up before: then nothing more may be asked.
+  /// Computes the direct links that detours use, so that later calls are quick. False: the time was
+  /// up before; then no other method may be called.
   bool prepare(Deadline& deadline);
-  /// From the end of one visit to the beginning of the other [m]; infinite: there is no way.
+  /// Distance from the end of one visit to the beginning of the other [m]; infinite: no path.
   double cost(Visit from, Visit to) const {
     const float known = known_[from * visits_ + to];
     return known == known ? static_cast<double>(known) : find_cost(from, to);
   }
-  /// True when every sequence of visits among those that are so linked can be flown: from one to
-  /// the other, and from there back, by direct links or over other blocks.
+  /// Whether the second visit can be reached from the first and the first from the second, by
+  /// direct links or over other blocks. Any sequence of visits that are pairwise so linked can be
+  /// flown.
   bool leads_there_and_back(Visit from, Visit to) const;
-  /// Adds the points strictly between the end of one and the beginning of the other. Precondition:
-  /// there is a way (cost is finite).
+  /// Appends the points strictly between the end of `from` and the beginning of `to`. Precondition:
+  /// cost() is finite.
   void append_way(Visit from, Visit to, std::vector<world::Vector2>& way) const;
-  /// From a place outside the blocks, with a heading there, if the vehicle minds.
+  /// The same from a place outside the blocks; `heading` binds only a vehicle that cannot hover.
   double cost_from(const world::Vector2& start, double heading, Visit to) const;
   void append_way_from(const world::Vector2& start, double heading, Visit to,
                        std::vector<world::Vector2>& way) const;
-  /// A circle through a point, that stays open, of a radius from `least` to `most` [m]; from that
-  /// point to it again. Empty: there is none. For a vehicle that hovers.
+  /// A circle in open space through a point and back to it, of a radius from `least` to `most` [m].
+  /// Empty: there is none. For a hovering vehicle.
   std::vector<world::Vector2> small_round(const world::Vector2& at, double most,
                                           double least) const;
   /// Adds the track of the visit itself.
@@ -80,7 +81,7 @@ class PatrolLinks {
   const std::vector<PatrolBlock>& blocks_;
   const PatrolSpace& space_;
   double radius_, tolerance_;
-  bool plain_;  ///< every link is the straight one
+  bool plain_;  ///< every link is straight
   std::size_t visits_;
   mutable std::vector<float> known_;      ///< cost; NaN: not asked yet
   mutable std::vector<float> direct_;     ///< without detours; NaN: not asked yet

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A patrol as a way over the plane, for a given time.
+// A patrol as a plane path of a given duration.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace skein::refiners {
 
-/// Where a patrol begins, how fast and how long it goes.
+/// Start, speed and duration of a patrol.
 struct PatrolTask {
   world::Vector2 start = world::Vector2::Zero();
   double heading = 0;
@@ -22,30 +22,30 @@ struct PatrolTask {
 
 struct PlanePatrol {
   std::vector<world::Vector2> way;  ///< from the start; no longer than speed × duration
-  bool complete = true;             ///< as long as that
+  bool complete = true;             ///< whether it lasts for the whole duration
 };
-/// Takes every patrol that is better than those before: longer, or as long as it is to be and less
-/// idle. With a deadline parts of the first one are told too, each about twice as long as the last.
+/// Called for every patrol that is better than those before: longer, or complete and with less
+/// idleness. With a deadline also for parts of the first patrol, each about twice as long as the
+/// last.
 using TakePatrol = std::function<void(const PlanePatrol&)>;
 
-/// Everything in turn, again and again.
+/// Visits all blocks in turn, repeatedly.
 void fly_in_turn(const LapGround& ground, const PatrolSight& sight, const PatrolTask& task,
                  Countdown& countdown, const TakePatrol& take);
 
-/// Tries laps of several lengths, and visiting everything in turn, each over the first part of the
-/// time, and flies the most promising over the whole. That is best of which the worse is least of
-/// mean idleness and worst risk × idleness, each against what everything in turn gives.
-/// Precondition: at least one block, and every block reachable from every other and one from the
-/// start.
+/// Tries laps of several lengths, and all blocks in turn, each over the first part of the time, and
+/// plans the most promising over the whole. Criterion: the larger of mean idleness and worst risk ×
+/// idleness, each relative to that of visiting all blocks in turn. Precondition: at least one
+/// block, every block reachable from every other, and one from the start.
 void plan_patrol(const LapGround& ground, const PatrolSight& sight, const PatrolTask& task,
                  Countdown& countdown, const TakePatrol& take);
 
-/// Step by step to the neighbouring cell with the steepest fall of potential, by the thesis.
+/// Gradient rule of the thesis: step to the neighbouring cell with the steepest fall of potential.
 /// Source: T IV.2.2.
 struct GradientRule {
   double time_scale = 600;  ///< [s]
 };
-/// What it is flown over. All must outlive the flight.
+/// The input of the gradient rule. All must outlive the flight.
 struct GradientGround {
   const PatrolField& field;
   const PatrolSpace& space;
@@ -54,10 +54,10 @@ struct GradientGround {
 void fly_gradient(const GradientGround& ground, const PatrolTask& task, const GradientRule& rule,
                   Countdown& countdown, const TakePatrol& take);
 
-/// ΔT of the thesis per cell of the field at the end of a way, updated every time another cell's
-/// length has been flown, or half a footprint if that is more. Reckoned from the end back to where
-/// the rest weighs less than a thousandth of a second. Empty: the deadline of the sight has passed,
-/// and not even some 20 ms more were enough.
+/// ΔT of the thesis per cell of the field at the end of a path, updated after each cell's length
+/// flown (or half a footprint, if that is more). Computed backwards from the end, until the rest
+/// contributes less than 1 ms. Empty: the deadline of the sight passed more than some 20 ms before
+/// the computation was done.
 std::vector<double> fading_idleness(const PatrolField& field, const PatrolSight& sight,
                                     const std::vector<world::Vector2>& way, double speed);
 

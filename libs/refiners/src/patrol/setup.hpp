@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a query to the ground of a patrol: checks, what is closed, what can be reached.
+// Preparation of a patrol query: checks, closed volumes, reachable cells.
 #pragma once
 
 #include <memory>
@@ -16,14 +16,14 @@ namespace skein::refiners {
 inline constexpr std::size_t kMostGroundCells = 4'000'000;
 inline constexpr double kMostCellsFlown = 2e6;
 
-/// Figures of the query that make no sense, or that the vehicle cannot do.
+/// Refuses invalid figures, and those that exceed the vehicle.
 std::optional<Refusal> check_patrol(const PatrolQuery& query, const world::World& world);
 
 double patrol_speed(const PatrolQuery& query);
 HeightRule height_rule(const PatrolQuery& query);
 
-/// The volumes that may not be entered, as polygons: those in whose band of heights the vehicle may
-/// come anywhere over them, at any time of the patrol.
+/// The outlines of closed volumes: those whose height band the vehicle may enter anywhere over
+/// them, at any time of the patrol.
 std::vector<world::Polygon> closed_volumes(const PatrolQuery& query, const world::World& world,
                                            Deadline& deadline);
 
@@ -36,8 +36,8 @@ struct PatrolGround {
   std::unique_ptr<PatrolLinks> links;
 };
 
-/// What cannot be reached from the start is left out. Refused when nothing is left, or the time is
-/// up. The deadline must outlive it.
+/// Leaves out what cannot be reached from the start. Refused if nothing is left, or the time is up.
+/// The deadline must outlive the result.
 Result<std::unique_ptr<PatrolGround>, Refusal> make_patrol_ground(const PatrolQuery& query,
                                                                   const world::World& world,
                                                                   Deadline& deadline);

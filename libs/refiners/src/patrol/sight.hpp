@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which cells of the ground are perceived from where.
+// Visibility of the ground cells from the vehicle's positions.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,13 @@
 namespace skein::refiners {
 
 /// A cell is perceived while the vehicle is at most `footprint` from above its centre
-/// (horizontally) and the ground does not come between. That is judged from over the middle of the
-/// cell of the grid that the vehicle is over, and remembered. Where the vehicle flies so high over
-/// ground so even that nothing can come between, nothing is asked of the terrain. Once the time is
-/// up nothing is asked either, and everything counts as perceived: what comes of that is not
-/// wanted. Thread rule: one thread (it remembers).
+/// (horizontally) and the ground does not hide it. Line of sight is tested from above the centre of
+/// the cell below the vehicle, and cached. No test is made if the ground is too even to hide
+/// anything from that altitude. Once the time is up no test is made either, and every cell counts
+/// as perceived: results must then be discarded. Thread rule: one thread (it caches).
 class PatrolSight {
  public:
-  /// `deadline` must outlive it.
+  /// `deadline` must outlive this object.
   PatrolSight(const world::Terrain& terrain, const world::Grid& grid, double altitude,
               double footprint, Deadline& deadline);
 
@@ -31,14 +30,14 @@ class PatrolSight {
   double altitude() const { return altitude_; }
   bool is_ever_hidden() const { return rough_; }
   Deadline& deadline() const { return deadline_; }
-  /// The ground never comes between `from` and the centre of a cell, whatever their distance.
+  /// Whether the ground does not hide the centre of a cell from `from`, whatever their distance.
   bool is_unhidden(const world::Vector2& from, std::size_t cell) const;
   bool sees(const world::Vector2& from, std::size_t cell) const {
     return (grid_.centre(cell) - from).norm() <= footprint_ && is_unhidden(from, cell);
   }
 
   /// Calls visit(cell, enter, leave) for each cell of the grid that comes within `reach` of the
-  /// straight segment; enter <= leave are fractions of it, in [0, 1]. Terrain is not asked.
+  /// straight segment; enter <= leave are fractions of it, in [0, 1]. Ignores the terrain.
   template <class Visit>
   void for_each_near(const world::Vector2& from, const world::Vector2& to, double reach,
                      Visit&& visit) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a vehicle on patrol may be: inside the zone, out of the volumes closed at its altitude.
+// Free space of a patrol: inside the zone, outside of the volumes closed at its altitude.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,19 @@
 
 namespace skein::refiners {
 
-/// Plane figures; the border of the zone is open, that of what is closed is closed. Immutable.
+/// Plane polygons. The border of the zone counts as free, that of closed volumes as closed.
+/// Immutable.
 class PatrolSpace {
  public:
   PatrolSpace(world::Polygon zone, std::vector<world::Polygon> closed);
 
   bool is_open(const world::Vector2& at) const;
-  /// The whole straight segment. Cost: O(corners).
+  /// Whether the whole straight segment is free. Cost: O(corners).
   bool is_open(const world::Vector2& from, const world::Vector2& to) const;
-  /// Out of what is closed, wherever the zone is.
+  /// Whether a point (segment) is outside of all closed volumes, regardless of the zone.
   bool is_clear(const world::Vector2& at) const;
   bool is_clear(const world::Vector2& from, const world::Vector2& to) const;
-  /// How far outside the zone a point is [m]; 0 inside.
+  /// Distance of a point from the zone [m]; 0 inside.
   double outside(const world::Vector2& at) const;
   /// True when any segment between two open points is open.
   bool is_simple() const { return convex_ && closed_.empty(); }

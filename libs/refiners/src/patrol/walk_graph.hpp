@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places from which all of a patrol's ground is perceived, and which can be flown to from which.
+// Graph of places from which all cells of a patrol are perceived, linked by flyable legs.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace skein::refiners {
 /// A closed walk: places, each linked to the next and the last to the first.
 using Walk = std::vector<std::uint32_t>;
 
-/// Places about as far apart as the footprint is wide. A vehicle that passes one, on the way from
-/// any of its links to any, perceives all its cells; every cell of the field is of one place.
+/// Places about a footprint's width apart. A vehicle that passes a place, from any of its links to
+/// any other, perceives all cells of the place; every cell of the field belongs to one place.
 struct WalkGraph {
   struct Link {
     std::uint32_t to;
@@ -23,17 +23,17 @@ struct WalkGraph {
   struct Place {
     world::Vector2 at = world::Vector2::Zero();
     double risk = 0;                     ///< of all its cells
-    double top = 0;                      ///< of the most risky
-    std::vector<Link> links;             ///< at most four; there and back
+    double top = 0;                      ///< of its most risky cell
+    std::vector<Link> links;             ///< at most four; symmetrical
     std::vector<world::Vector2> passes;  ///< from link i to link j: at i × links + j. Turns are
                                          ///< pushed outwards as far as the outermost cells need
-    std::vector<double> detours;         ///< likewise: what that adds to half of each link [m]
+    std::vector<double> detours;         ///< same index: length added to half of each link [m]
   };
 
   std::vector<Place> places;
   double total_risk = 0;
 
-  /// Which of the links of a place leads to another; at most its number of links: none.
+  /// Index of the link from a place to another; the number of links if there is none.
   std::size_t link_to(std::uint32_t place, std::uint32_t other) const {
     const std::vector<Link>& links = places[place].links;
     std::size_t i = 0;
@@ -43,11 +43,11 @@ struct WalkGraph {
   bool are_linked(std::uint32_t place, std::uint32_t other) const {
     return link_to(place, other) < places[place].links.size();
   }
-  /// Precondition: they are linked.
+  /// Length of a link. Precondition: the places are linked.
   double length(std::uint32_t from, std::uint32_t to) const {
     return places[from].links[link_to(from, to)].length;
   }
-  /// Of passing a place on the way between two that it is linked to [m].
+  /// Length added by passing `place` between two places linked to it [m].
   double detour(std::uint32_t before, std::uint32_t place, std::uint32_t after) const {
     return places[place].detours[pass(before, place, after)];
   }
@@ -62,32 +62,33 @@ struct WalkGraph {
   }
 };
 
-/// Places on a lattice. Nothing where some cells are perceived from no such place, as along slanted
-/// borders and beside what is closed; where not all places can be reached; or when the deadline of
-/// the sight has passed. For a vehicle that hovers: turns are sharp.
+/// A graph of places on a lattice, for a hovering vehicle (turns are sharp). Nothing if some cells
+/// are perceived from no such place (along slanted borders, beside closed volumes), if not all
+/// places can be reached, or if the deadline of the sight has passed.
 std::optional<WalkGraph> make_walk_graph(const PatrolField& field, const PatrolSpace& space,
                                          const PatrolSight& sight);
 
-/// What the mean idleness by risk of no walk is below, by length [m]: (Σ √(R c))² / 2 Σ R, where R
-/// is the risk of a place and c the least that passing it takes. Proof: docs/decisions/0027.
+/// Lower bound on the risk-weighted mean idleness of any walk, as a length [m]: (Σ √(R c))² / 2 Σ
+/// R, where R is the risk of a place and c the least length of passing it. Proof:
+/// docs/decisions/0027.
 double least_mean_of_walks(const WalkGraph& graph);
 
-/// What the greatest risk × idleness of no walk is below, by length [m]: Σ t c, where t is the risk
-/// of a place's most risky cell. Proof: docs/decisions/0027.
+/// Lower bound on the greatest risk × idleness of any walk, as a length [m]: Σ t c, where t is the
+/// risk of a place's most risky cell. Proof: docs/decisions/0027.
 double least_worst_of_walks(const WalkGraph& graph);
 
-/// What the mean idleness by risk of no walk is below whose greatest risk × idleness is `worst` [m]
-/// at most; infinite below least_worst_of_walks. Source: docs/decisions/0027.
+/// Lower bound on the risk-weighted mean idleness [m] of walks whose greatest risk × idleness is at
+/// most `worst` [m]; infinite below least_worst_of_walks. Source: docs/decisions/0027.
 double least_mean_of_walks(const WalkGraph& graph, double worst);
 
-/// Lanes in turn, and shortest ways where one does not lead to the next. Visits every place.
+/// A walk over all places, lane by lane, with shortest paths where one lane does not lead to the
+/// next.
 Walk walk_in_turn(const WalkGraph& graph);
 
-/// Adds the places strictly between two to a walk, of one of the shortest ways (fewest links).
-/// False: there is none.
+/// Appends the places strictly between two places on a path with the fewest links. False: no path.
 bool append_shortest(const WalkGraph& graph, std::uint32_t from, std::uint32_t to, Walk& walk);
 
-/// What is flown: one point for each visit.
+/// The track of a walk: one point for each visit.
 std::vector<world::Vector2> track_of(const WalkGraph& graph, const Walk& walk);
 
 }  // namespace skein::refiners

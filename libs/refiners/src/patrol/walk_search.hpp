@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A closed walk improved as a whole by simulated annealing.
+// Simulated annealing of closed walks.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace skein::refiners {
 
-/// How a walk is annealed, in the measure of the goal: 1 is what the goals allow.
+/// Parameters of the annealing; temperatures in units of the goal (CycleGoal), which counts 1.
 struct Cooling {
   double from = 6e-4, to = 8e-6;          ///< temperatures, falling by a constant factor
-  std::uint64_t changes_a_place = 12000;  ///< so many changes are tried for each place
+  std::uint64_t changes_a_place = 12000;  ///< number of changes tried per place
   std::size_t visits_a_place = 4;         ///< in the mean; longer walks are not tried
   bool looks_elsewhere = false;           ///< as in WalkMeasure
   std::uint64_t seed = 1;
 };
 
-/// Begins with every place in turn and tries small changes of random places of the walk: corners
-/// cut the other way, detours left out and put in, parts turned round and moved. What makes it
-/// better is taken, what makes it worse sometimes, ever seldomer. What is too long for the goal of
-/// the worst counts little at first and more and more. A walk that visits every place; nothing when
-/// the time is up before there is one that is whole. A step of the countdown is 64 changes tried.
+/// Returns a walk that visits every place; empty if the time is up before there is a complete one.
+/// Starts with all places in turn and tries local changes: corners cut the other way, detours
+/// removed and inserted, parts reversed and moved. Improvements are accepted, deteriorations with
+/// decreasing probability. Gaps too long for the goal of the worst idleness have an increasing
+/// weight. A step of the countdown is 64 changes tried.
 /// Cost: some 0.2 µs a change, 0.6 s for 256 places.
 Walk annealed_walk(const WalkGraph& graph, const CycleGoal& goal, double speed,
                    const Cooling& cooling, const CycleTime& time);

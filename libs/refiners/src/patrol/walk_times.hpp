@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When a walk is where, how bad that is, and what a change would make of it.
+// Visit times of a walk, its badness, and the badness after a change.
 #pragma once
 
 #include <array>
@@ -10,17 +10,18 @@
 
 namespace skein::refiners {
 
-/// What walks are measured by, in metres flown: where they come to these figures each of the two
-/// counts 1, the mean idleness by risk and, where it is more, how much a gap is too long.
+/// Weights of the badness of walks, in metres flown: each criterion counts 1 at these figures, the
+/// risk-weighted mean idleness and the excess of gaps that are too long.
 struct WalkMeasure {
   double mean_idleness = 1;
   double worst_risk_idleness = 1;
-  double too_long = 1;  ///< what a gap too long by its whole length counts
-  /// A change is judged by what it makes of all that is too long, not of its own places alone.
+  double too_long = 1;  ///< weight of a gap that is too long by its whole length
+  /// Evaluate changes by their effect on all gaps that are too long, not only those of their own
+  /// places.
   bool looks_elsewhere = false;
 };
 
-/// Of the places after one of the visits some are taken out and others put in their stead.
+/// A change of a walk: some visits after a given one are replaced by others.
 struct WalkChange {
   std::size_t after = 0;
   std::size_t taken = 0;
@@ -31,10 +32,10 @@ struct WalkChange {
 /// One walk with its times. Thread rule: one thread.
 class WalkTimes {
  public:
-  /// The graph must outlive it.
+  /// The graph must outlive this object.
   explicit WalkTimes(const WalkGraph& graph);
 
-  /// What is measured from now on; the walk stays.
+  /// Sets the measure for the current walk.
   void measure_by(const WalkMeasure& measure);
   /// Cost: O(places + visits).
   void take(Walk walk);
@@ -42,9 +43,9 @@ class WalkTimes {
   double badness() const { return badness_; }
   const std::vector<std::size_t>& visits(std::uint32_t place) const { return visits_[place]; }
 
-  /// The badness after a change; exact where what is too long elsewhere is looked at and the change
-  /// is not longer than a tenth of the gaps that may become so. Precondition: the changed walk is
-  /// one. Cost: O(visits to the places changed + gaps that are nearly too long).
+  /// The badness after a change; exact if `looks_elsewhere` is set and the change adds no more than
+  /// a tenth of the gaps that may become too long. Precondition: the changed walk is a valid walk.
+  /// Cost: O(visits to the places changed + gaps that are nearly too long).
   double badness_after(const WalkChange& change) const;
   Walk changed(const WalkChange& change) const;
   /// The badness of another walk. Cost: O(places + visits).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where relays may stand, and how well they hear.
+// Possible places of relays, and the margins of their links.
 #pragma once
 
 #include <optional>
@@ -13,25 +13,25 @@ namespace skein::refiners::relay {
 using world::Vector3;
 using world::Voxel;
 
-/// The air of a query. The world must outlive it.
+/// The airspace and radio model of a query. The world must outlive it.
 class Space {
  public:
-  /// Nothing when the time is up before it is made.
+  /// Builds the airspace; nothing if the time is up before.
   static std::optional<Space> in_time(const RelayQuery& query, const world::World& world,
                                       const Budget& budget);
 
   const world::AirspaceGrid& grid() const { return airspace_.grid(); }
   Vector3 centre(const Voxel& voxel) const { return airspace_.centre(voxel); }
-  /// Free, and not above the ceiling.
+  /// Whether the voxel is free and not above the vehicle's ceiling.
   bool is_open(const Voxel& voxel) const;
 
   double least_margin() const { return least_margin_; }
-  /// Of a link in sight [dB].
+  /// Margin of a link with line of sight [dB].
   double margin(double distance) const { return radio_.margin(distance); }
   bool is_in_sight(const Vector3& a, const Vector3& b) const {
     return !radio_.needs_line_of_sight || terrain_.line_of_sight(a, b);
   }
-  /// The longest link that has the least margin [m].
+  /// Length of a link at which its margin is the least permitted one [m].
   double longest_link() const;
 
  private:
@@ -43,18 +43,18 @@ class Space {
   double ceiling_, least_margin_;
 };
 
-/// Counts links, and asks the clock now and then.
+/// Counts computed links against the budget, and polls its clock.
 class Meter {
  public:
   explicit Meter(const Budget& budget) : budget_(budget) {}
-  /// One link computed; false when there is no budget for it.
+  /// Counts one link; false if the budget is used up.
   bool link() {
     if (effort_.steps >= budget_.steps) over_ = true;
     if (over_) return false;
     ++effort_.steps;
     return work(64);
   }
-  /// Work without links, in units of some 50 ns; false once the time is up.
+  /// Counts other work, in units of some 50 ns; false once the time is up.
   bool work(std::uint32_t units = 1) {
     if ((done_ += units) >= kPatience) {
       done_ = 0;
@@ -78,9 +78,10 @@ struct Place {
   double margin = 0;  ///< of the weaker of its two links [dB]
 };
 
-/// The best open voxel for one relay between two places, or nothing when none has the least margin
-/// to both or the budget ran out first. Places nearer to both first, so the first that sees both is
-/// the best: exact. What hides a voxel hides those below it too, so few are looked at.
+/// The best open voxel for one relay between two places; nothing if none has the least margin to
+/// both, or the budget is used up. Exact: voxels are tried by increasing distance, so the first
+/// with line of sight to both is the best. Ground that hides a voxel also hides those below it, so
+/// few voxels are tested.
 std::optional<Place> best_between(const Space& space, const Vector3& a, const Vector3& b,
                                   Meter& meter);
 

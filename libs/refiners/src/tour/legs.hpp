@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a tour's query to the ordering problem and back; private.
+// Converts a tour query to the ordering problem, and the order to a tour; private.
 #pragma once
 
 #include <optional>
@@ -14,28 +14,29 @@
 
 namespace skein::refiners {
 
-/// The ordering problem of a query, whose costs are what straight flights take until the real ways
-/// are looked for: none is too high, and they only rise.
+/// The ordering problem of a query. Costs are those of straight flights until the real paths are
+/// planned, so they are lower bounds and only increase.
 class TourLegs {
  public:
   TourLegs(const TourQuery& query, Travel& travel);
 
-  /// A place where the vehicle cannot be; of a stop only when it has no other gate. First of all.
+  /// The refusal of a place where the vehicle cannot be (of a stop: if all its gates are closed).
+  /// Must be called first.
   std::optional<Refusal> find_closed();
-  /// Costs as far as they are known. After find_closed.
+  /// The problem with the costs known so far. Precondition: find_closed() was called.
   const TourProblem& problem() const { return problem_; }
-  /// False when the time is up before: then there is no problem.
+  /// Fills the problem with lower bounds. False: the time is up before, and there is no problem.
   bool start_optimistic(const Budget& budget);
 
-  /// Looks for the ways along an order and puts in what they take. False when the time is up
-  /// before all of them are known.
+  /// Plans the paths along an order and updates their costs. False if the time is up before all of
+  /// them are known.
   bool settle(const std::vector<std::size_t>& gates);
   bool are_known(const std::vector<std::size_t>& gates) const;
-  /// Only with ways that are known or straight; of these only those found before the time is up.
-  /// Nothing when that leaves none.
+  /// The problem restricted to known or straight paths (those found before the time is up). Nothing
+  /// if none remain.
   std::optional<TourProblem> known_only(const Budget& budget) const;
 
-  /// Which stop has no way to it, or on from it; looks for more ways to tell.
+  /// The refusal that names a stop without a path to it or from it; plans further paths to find it.
   Refusal why_impossible();
   /// Precondition: are_known.
   Refined<Tour> tour(const TourOrder& order) const;

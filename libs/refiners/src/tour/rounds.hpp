@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order of a tour whose ways are looked for as they are needed; private.
+// Ordering of a tour with lazily planned paths; private.
 #pragma once
 
 #include <optional>
@@ -8,17 +8,16 @@
 
 namespace skein::refiners {
 
-/// Solves with costs that are never too high, looks for the ways that the order found uses, puts in
-/// what they really take, and solves again: until an order costs no more than it was found with.
-/// That one is the best of all when the solver is exact, whatever the ways not looked for would
-/// take. At most kMostTourRounds; what comes first, and the rest of the time of a clock, or of the
-/// steps, goes into an order over the ways that are known by then.
+/// Solves the ordering problem with lower bounds as costs, plans the paths that the order uses,
+/// replaces their bounds by real costs, and solves again, until the real cost of an order equals
+/// its cost in the problem. With an exact solver that order is optimal, whatever the unplanned
+/// paths would cost. After kMostTourRounds rounds, and for the rest of the time or steps, orders
+/// over the known paths.
 class TourRounds {
  public:
   TourRounds(TourLegs& legs, const Setting& setting);
 
-  /// The best order whose ways are all known; nothing when none was found. Its effort is that of
-  /// all rounds.
+  /// The best order with all paths known, with the effort of all rounds; nothing: none was found.
   std::optional<TourOrder> run();
 
  private:
@@ -27,11 +26,11 @@ class TourRounds {
   Next round();
   void finish(bool settled);
   TourOrder solve(const TourProblem& problem, std::uint64_t most_steps);
-  /// Of the next search: a quick one, or also the exact one where it takes long.
+  /// Steps of the next round: enough for the exact search if `thorough_`, else only a quick one.
   std::uint64_t steps_of_round() const;
   std::uint64_t steps_left() const;
   bool has_bounds() const;
-  /// What an order really takes, when that is known.
+  /// Keeps the order as the best one if its real cost is known and lower.
   void keep(TourOrder order);
 
   TourLegs& legs_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways and times between the places of a tour or a plan, found when they are asked for; private.
+// Paths and times between the places of a tour or a plan, planned on demand; private.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace skein::refiners {
 
-/// What all ways have in common.
+/// Parameters common to all paths.
 struct Traveller {
   const world::VehicleModel& vehicle;
   double clearance = 0;
@@ -33,35 +33,35 @@ class Travel {
                                       const world::Vector3& from, const world::Vector3& to);
 
   Id add(const world::Vector3& place);
-  /// Why the vehicle cannot be there; `field` is the place's. Nothing when there is no time to
-  /// tell.
+  /// The refusal of a place where the vehicle cannot be; `field` names it in the query. Nothing:
+  /// the place is free, or the time is up.
   std::optional<Refusal> closed(Id place, const std::string& field) const;
 
-  /// What the straight flight would take [s], free or not: no way takes less, since climbing,
-  /// descending and flying level on any course in a steady wind all keep the triangle inequality,
-  /// and so does the slowest of them. Infinite against too strong a wind: so is every way then.
+  /// Duration of the straight flight [s], free or not: a lower bound on every path, since climb,
+  /// descent and level flight in a steady wind satisfy the triangle inequality, and so does their
+  /// maximum. Infinite against too strong a wind, as is every path then.
   double bound(Id from, Id to) const;
   bool can_go_straight(Id from, Id to) const;
-  /// Finds the way, if it is not known: at most one call of the planner, none when the way back
-  /// was found and is as good, nor between two places that others show to be shut off from each
-  /// other. False when the time is up before it is known; never for one that is straight.
+  /// Plans the path unless it is known: at most one call of the planner; none if the known reverse
+  /// path is as good, nor between places that other queries have shown to be disconnected. False if
+  /// the time is up before; never for a straight path.
   bool settle(Id from, Id to);
-  /// True once it was settled; from a place to itself always.
+  /// Whether settle() has found the result; always true from a place to itself.
   bool is_known(Id from, Id to) const;
-  /// Expected time of a known way [s], at least its bound; infinite when there is none; of one that
-  /// is not known its bound, or infinite when the places are shut off from each other.
+  /// Expected time of a known path [s], at least its bound; infinite if none exists. Of an unknown
+  /// path its bound, or infinite if the places are disconnected.
   double seconds(Id from, Id to) const;
-  /// Precondition: known, and its time is finite. No point twice in succession.
+  /// The path, without equal points in succession. Precondition: known, with a finite time.
   Way way(Id from, Id to) const;
-  /// Why a known way has an infinite time.
+  /// The reason for the infinite time of a known path.
   std::string why_closed(Id from, Id to) const;
   Flight flight(const Way& way) const;
 
-  /// True when the clock ended the search for some way.
+  /// Whether the clock ended the search for some path.
   bool cut_short() const { return cut_short_; }
-  /// Calls of the planner.
+  /// Number of calls of the planner.
   std::size_t planned() const { return planned_; }
-  /// Pairs of places found shut off: when there are more, other times may have become infinite.
+  /// Number of disconnected pairs found; when it grows, further times may have become infinite.
   std::size_t shut_off() const { return shut_off_.size(); }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with a query for view points, and why one has no answer.
+// Checks of view-point queries, and refusals of those without a solution.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace skein::refiners {
 
-/// All but the name of the sensor, which is known.
+/// Checks everything except the name of the sensor, which has been resolved.
 std::optional<Refusal> check(const ViewpointQuery& query, const world::World& world,
                              const world::SensorModel& sensor);
 
-/// No place is good: what became of how many.
+/// The refusal if no place is good, with the number of places per failed check.
 Refusal explain(const ViewpointField& field, const ViewpointSearch::Survey& survey);
 
 }  // namespace skein::refiners

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several view points that go together.
+// Selection of several view points that keep their distances.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace skein::refiners {
 
-/// As many places as the query asks for, or as there are, best first, apart from each other as it
-/// asks. Each is the best that is apart from those before it; when that leaves room for fewer than
-/// could be, the azimuths are chosen together instead.
+/// Up to `count` places of the query with the required distances, best first. Greedy: each is the
+/// best that is apart from those before it; if fewer are found than possible, the azimuths are
+/// chosen jointly instead.
 std::vector<Found> choose(ViewpointSearch& search, const ViewpointField& field,
                           const Countdown& countdown);
 
-/// Of utilities around a circle (nothing: no place), the indices of `count` that are at least
-/// `gap` apart, or of as many as there are, with the greatest sum. Cost: O(slots² × count).
+/// Selects from utilities around a circle (nothing: no place) the indices of `count` slots, or as
+/// many as possible, at least `gap` apart and with the greatest sum. Cost: O(slots² × count).
 std::vector<std::size_t> choose_around(const std::vector<std::optional<double>>& utilities,
                                        std::size_t gap, std::size_t count);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The places around a target: what each is worth to look from, and whether one may and can.
+// Candidate places around a target: their utility, and whether they are permitted and see it.
 #pragma once
 
 #include <cstdint>
@@ -37,11 +37,11 @@ struct BearingCell {
   double angular_radius() const;
 };
 
-/// What boxes of the same directions have in common, whatever their ranges.
+/// Properties common to all cells of the same directions, whatever their ranges.
 struct Aspect {
   world::Vector3 direction = world::Vector3::Zero();  ///< of the middle, from the target
   double radius = 0;                                  ///< BearingCell::angular_radius() [rad]
-  double quality = 0;                                 ///< by incidence: none is better
+  double quality = 0;                                 ///< upper bound, from incidence
 };
 
 struct Place {
@@ -49,7 +49,7 @@ struct Place {
   double quality = 0, utility = 0;  ///< as of a ViewPoint
 };
 
-/// What becomes of a place.
+/// Result of the checks of a place.
 enum class Fate : std::uint8_t {
   kGood,
   kImperceptible,  ///< the ground faces away, or quality is nil at that distance
@@ -58,7 +58,7 @@ enum class Fate : std::uint8_t {
   kTooHigh,
   kInVolume,
   kConstraint,
-  kTaken,  ///< too near a place that was chosen before
+  kTaken,  ///< too near a view point chosen before
   kHidden,
 };
 
@@ -71,24 +71,24 @@ struct Verdict {
 /// One query in its world, with defaults filled in. Thread rule: one thread (it keeps horizons).
 class ViewpointField {
  public:
-  /// Precondition: the query was found right. All must outlive it.
+  /// Precondition: the query is valid. All arguments must outlive this object.
   ViewpointField(const ViewpointQuery& query, const Setting& setting,
                  const world::SensorModel& sensor);
 
-  /// All there is; empty extents when the sensor can look nowhere.
+  /// The cell of all bearings; with empty extents if the sensor can look in no direction.
   const BearingCell& whole() const { return whole_; }
   Place place(const Bearing& bearing) const;
-  /// No place of the cell has a greater utility. Cost: constant.
+  /// Upper bound on the utility of places in the cell. Cost: constant.
   double utility_bound(const BearingCell& cell) const {
     return utility_bound(cell, aspect_of(cell));
   }
-  /// The same, where the aspect is known: some angles are saved, which are most of the cost.
+  /// The same with a known aspect, which saves most of the cost.
   double utility_bound(const BearingCell& cell, const Aspect& aspect) const;
   Aspect aspect_of(const BearingCell& cell) const;
-  /// Whether one may be there and sees the target from there. The first in an azimuth traces the
-  /// ground along it, others there are answered from that.
+  /// Checks whether the place is permitted and sees the target. The first call for an azimuth
+  /// traces the ground along it; later ones reuse that profile.
   Verdict judge(const Bearing& bearing, const Place& place);
-  /// As the result has it.
+  /// The place as an element of the result.
   ViewPoint view_point(const Bearing& bearing) const;
   /// "in volume 'tower'": after "of 900 places, 12 are".
   std::string describe(const Verdict& verdict) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The best place to look from: branch and bound over bearings, then polishing.
+// Search for the best view point: branch and bound over bearings, then local refinement.
 #pragma once
 
 #include <functional>
@@ -13,33 +13,32 @@
 
 namespace skein::refiners {
 
-/// A good place.
+/// A place that passed all checks.
 struct Found {
   Bearing bearing;
   world::Vector3 position = world::Vector3::Zero();
   double utility = 0;
 };
 
-/// Boxes of bearings are looked at in the order of what they could be worth at most, so that what
-/// is worth less than the best place found is never looked at, and cut in two until what they could
-/// be worth more than it is nothing to speak of. A box with no good place at its corners is left
-/// aside when all of them fall to the same check, or when it is a quarter as wide as the first
-/// lattice: what is smaller than that and lies apart can be missed. The best place is then
-/// polished, off the lattice. A step is a place that is judged.
+/// Expands boxes of bearings in the order of their upper bounds on utility, and splits them until
+/// no bound exceeds the best place found by a relevant amount. A box with no good place at its
+/// corners is discarded if all corners fail the same check, or if it is a quarter as wide as the
+/// first lattice; smaller isolated regions of good places can thus be missed. The best place is
+/// then refined off the lattice. A step is one checked place.
 class ViewpointSearch {
  public:
   ViewpointSearch(ViewpointField& field, Countdown& countdown)
       : field_(field), countdown_(countdown) {}
 
-  /// Which bearings are apart from what was chosen before; empty: all.
+  /// Whether a bearing is apart from the view points chosen before; empty: always.
   using IsApart = std::function<bool(const Bearing&, const world::Vector3& position)>;
 
-  /// The best in the whole, or nothing.
+  /// The best place of all, or nothing.
   std::optional<Found> best(const IsApart& is_apart);
-  /// The best of one azimuth.
+  /// The best place of one azimuth, or nothing.
   std::optional<Found> best_along(std::int32_t azimuth);
 
-  /// What became of the places of a coarse lattice, and the best of them.
+  /// Check results of the places of a coarse lattice, and the best of them.
   struct Survey {
     std::map<Verdict, std::size_t> fates;
     std::size_t places = 0;
