@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Radio contact along a way.
+// Radio contact along a path.
 #pragma once
 
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace skein::sampling {
 
-/// Between two samples of a segment [m].
+/// Distance between two samples of a segment [m].
 inline constexpr double kContactSpacing = 1;
 
-/// Who can be talked to: the entity itself and the relays that have a link to it, directly or
-/// through others. Lifetime: the world must outlive this.
+/// Checks contact with a node, directly or via relays that have a chain of links to it. Lifetime:
+/// the world must outlive this object.
 class ContactCheck {
  public:
   ContactCheck(const refiners::Contact& contact, const world::World& world);
 
   bool has_link(const world::Vector3& point) const;
-  /// At both ends and at samples in between.
+  /// Whether there is a link at both ends and at samples in between.
   bool has_link(const world::Vector3& from, const world::Vector3& to) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that a way must keep to, for one query.
+// Free space of one path query.
 #pragma once
 
 #include <optional>
@@ -11,27 +11,28 @@
 
 namespace skein::sampling {
 
-/// Clear of ground and volumes, within the airspace, not higher over the ground than the vehicle
-/// may be, in radio contact if asked. Lifetime: world and query must outlive this.
+/// Free: clear of ground and volumes, within the airspace, below the vehicle's ceiling over the
+/// ground, and in radio contact if the query requires it. Lifetime: world and query must outlive
+/// this object.
 class FreeAir {
  public:
-  /// Volumes count that are there at some time from the departure until `until`.
+  /// Volumes count if their window overlaps the time from the departure to `until`.
   FreeAir(const refiners::PathQuery& query, const world::World& world, MissionTime until,
           const refiners::Budget& budget);
 
-  /// False: the time was up before the scene was built. Then nothing else may be asked.
+  /// False: the time was up before the scene was built; then no other method may be called.
   bool is_whole() const { return scene_.is_whole(); }
 
   /// `margin` is added to the body [m].
   bool is_free(const world::Vector3& point, double margin) const;
   bool is_free(const world::Vector3& from, const world::Vector3& to, double margin) const;
-  /// Why nobody can be at a point: `field` names it in the query.
+  /// The refusal of a point that is not free; `field` names it in the query.
   std::optional<refiners::Refusal> refusal_at(const world::Vector3& point,
                                               const std::string& field) const;
 
   world::Vector3 low() const;
   world::Vector3 high() const;
-  /// Uniform over the map, and in height between the ground and as high as it may be there.
+  /// A random point: uniform over the map, and in height between the ground and the upper limit.
   world::Vector3 any_point(Random& random) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ground as triangles that are never below it.
+// A triangle mesh of the ground that is never below the true surface.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace skein::sampling {
 
-/// What a mesh covers.
+/// The part of the ground that a mesh covers.
 struct Region {
   double west, south, east, north;
 };
@@ -28,8 +28,8 @@ class GroundMesh {
     std::size_t first_vertex, end_vertex;
   };
 
-  /// Outside the terrain's extent the ground goes on as Terrain says. `is_late` is asked now and
-  /// then, if it is not empty: once it says so the mesh is not whole, and is not to be asked.
+  /// Outside the terrain's extent the ground is extrapolated as in Terrain. `is_late` (may be
+  /// empty) is polled; after it has returned true the mesh is incomplete and must not be used.
   GroundMesh(const world::Terrain& terrain, const Region& region, double accuracy,
              std::size_t most_triangles, const std::function<bool()>& is_late = {});
 
@@ -38,7 +38,7 @@ class GroundMesh {
   const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return triangles_; }
   const std::vector<Tile>& tiles() const { return tiles_; }
   double highest() const { return highest_; }
-  /// Of the triangles; at the border's height outside the region. Cost: O(log lines).
+  /// Height of the mesh [m]; outside the region that of its border. Cost: O(log lines).
   double height(double x, double y) const;
 
  private:
@@ -52,7 +52,7 @@ class GroundMesh {
 
   void set_lines(const world::Terrain& terrain, const Region& region, std::size_t merged);
   void set_cells(const world::Terrain& terrain, bool merged, const std::function<bool()>& is_late);
-  /// How many triangles there are with that accuracy.
+  /// Cuts the cells for that accuracy; returns the number of triangles.
   std::size_t cut(double accuracy);
   void emit(const std::function<bool()>& is_late);
   void emit_tile(std::size_t column, std::size_t row);

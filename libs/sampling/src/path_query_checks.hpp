@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queries that make no sense, before anything is searched.
+// Checks of path queries before the search.
 #pragma once
 
 #include <optional>

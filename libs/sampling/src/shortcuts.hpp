@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Crooked ways made shorter.
+// Shortens paths by shortcuts.
 #pragma once
 
 #include <functional>
@@ -9,9 +9,9 @@
 
 namespace skein::sampling {
 
-/// Points of the way, corners or in between, are joined directly wherever that is free, until
-/// `tries` in a row gain nothing or `is_over` says so; then corners are pulled tight. Never longer;
-/// the ends stay.
+/// Joins random points of the path (corners or between them) directly where that is free, until
+/// `tries` in a row gain nothing or `is_over` returns true; then cuts corners. Never longer; keeps
+/// the ends.
 refiners::Way shortened(
     const refiners::Way& way,
     const std::function<bool(const world::Vector3&, const world::Vector3&)>& is_free,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// path, by random trees in the continuous air: for spaces where voxels are the wrong tool.
+// The path service by random trees in continuous space, for airspaces unsuited to voxels.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 namespace skein::sampling {
 
 struct SamplingOptions {
-  /// Samples drawn for a first way where the budget sets no bound, neither of time nor of steps.
+  /// Samples for a first path if the budget has no bound, neither of time nor of steps.
   std::uint64_t first_samples = 20'000;
-  /// Samples drawn at most to shorten it, whatever the budget allows.
+  /// Most samples for shortening the path, whatever the budget allows.
   std::uint64_t shortening_samples = 2'000;
 };
 
@@ -22,10 +22,10 @@ struct SamplingOptions {
 /// flyable. Crossing costs 1 everywhere: the cost is the length [m]. Steps of the budget: states
 /// sampled.
 ///
-/// The same seed gives the same way, whatever OMPL was used for before in the process. Refused as
-/// by the voxels, but for two things. Sampling cannot prove that every way is closed: what was not
-/// found is kBudgetExhausted. And the way may pass where no whole voxel is free. Source: spec 4.2
-/// (OMPL and FCL, same interface).
+/// The same seed gives the same path, whatever OMPL was used for before in the process. Refusals
+/// are those of VoxelPathPlanner with two differences: sampling cannot prove that no path exists,
+/// so a path that was not found is kBudgetExhausted; and paths may pass where no whole voxel is
+/// free. Source: spec 4.2 (OMPL and FCL, same interface).
 class SamplingPathPlanner final : public refiners::PathPlanner {
  public:
   SamplingPathPlanner() = default;
