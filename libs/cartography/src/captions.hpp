@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of the pictures of services.
+// Captions of the services' pictures.
 #pragma once
 
 #include <fmt/format.h>
@@ -27,13 +27,13 @@ inline std::string duration_words(const refiners::DurationInterval& duration) {
          seconds(duration.most) + ")";
 }
 
-/// What stands under the title when there is no solution.
+/// The line under the title if there is no solution.
 inline std::string refusal_words(const refiners::Refusal& refusal) {
   return "no solution (" + std::string(to_text(refusal.kind)) +
          (refusal.field.empty() ? "" : ", " + refusal.field) + "): " + refusal.why;
 }
 
-/// Closed volumes and named zones, which every picture shows.
+/// Draws closed volumes and named zones, which every picture shows.
 inline void draw_surroundings(Map& map, const world::World& world) {
   for (const world::Zone& zone : world.zones)
     map.area(zone.polygon, {.colour = "#606060", .dashed = true, .label = zone.name});

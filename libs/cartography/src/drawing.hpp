@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a Map is made of.
+// Content of a Map.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace skein::cartography {
 
-/// Of the map on the picture [px].
+/// Size and margin of the map on the picture [px].
 inline constexpr double kMapWidth = 860, kMapHeight = 660, kMargin = 18;
 
 struct LegendLine {
@@ -36,13 +36,13 @@ class Map::Drawing {
   std::vector<std::string> profiles;  ///< each a picture of kProfileHeight
 };
 
-/// Of one profile on the picture, with its axis [px].
+/// Height of one profile on the picture, including its axis [px].
 inline constexpr double kProfileHeight = 150;
 
-/// 1, 2 or 5 times a power of ten: the least of which at most so many steps make up a span.
+/// The least step of 1, 2 or 5 times a power of ten that divides a span into at most `ticks` steps.
 double tick_step(double span, double ticks);
 
-/// Heights along a way, as a group of that height and as wide as the map.
+/// The height profile of a path, as an SVG group of kProfileHeight and the width of the map.
 std::string profile_of(const Map::Drawing& drawing, const refiners::Way& way,
                        const std::string& colour);
 

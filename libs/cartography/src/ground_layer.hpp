@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ground under a map.
+// The ground layer of a map: hill shading and contour lines.
 #pragma once
 
 #include <string>
@@ -37,13 +37,13 @@ struct Relief {
 };
 Relief relief_of(const world::Terrain& terrain, const Frame& frame);
 
-/// Tinted by height and lit from the north-west.
+/// The ground tinted by height and lit from the north-west.
 Pixels hill_shade(const world::Terrain& terrain, const Scale& scale, const Relief& relief);
 
-/// Ground that differs by less is level: there is nothing to draw contour lines of [m].
+/// Least height difference [m] for which contour lines are drawn.
 inline constexpr double kLevelRelief = 2;
 inline bool is_level(const Relief& relief) { return relief.high - relief.low < kLevelRelief; }
-/// A round figure such that some ten contour lines fit between low and high [m].
+/// A round interval [m] for some ten contour lines between low and high.
 double contour_interval(const Relief& relief);
 
 /// Paths of the contour lines, every fifth of them stronger; none on level ground.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names on a map, kept apart from each other.
+// Placement of labels on a map without overlaps.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@ struct Label {
   Spot at;
   std::string words;
   const char* colour = "#202020";
-  bool beside = true;  ///< of a dot, which it must not cover; else on the spot
+  bool beside = true;  ///< beside a dot, which the label must not cover; else centred on the place
 };
 
-/// Places each label where it covers the least of those before, to the right if all is free, within
-/// a picture of that size [px]. Same labels, same places.
+/// The labels as SVG. Each is placed where it covers the least of those before, to the right if all
+/// is free, within a picture of that size [px]. Deterministic.
 std::string placed(const std::vector<Label>& labels, double width, double height);
 
 }  // namespace skein::cartography

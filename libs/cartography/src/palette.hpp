@@ -14,12 +14,12 @@ using drawing::Colour;
 /// shade, 0.7 on level ground, 1 facing the sun.
 Colour ground_tint(double height, double light);
 
-/// From dark blue (0) over green to yellow (1): as light as the value is high, so that it can be
-/// told in grey and by the colour-blind.
+/// From dark blue (0) over green to yellow (1). Lightness increases with the value, so that it is
+/// readable in grey and for the colour-blind.
 Colour heat_tint(double value);
 
-/// "#rrggbb", the same for the same index, all apart for the first eight, then again from the
-/// first. Source of the colours: Okabe and Ito, "Color universal design", 2008.
+/// "#rrggbb"; eight distinct colours, repeated from index 8 on. Source of the colours: Okabe and
+/// Ito, "Color universal design", 2008.
 std::string line_colour(std::size_t index);
 
 std::string hex(Colour colour);

@@ -10,12 +10,12 @@
 
 namespace skein::cartography {
 
-/// A place on the picture [px], y downwards.
+/// A point of the picture [px], y downwards.
 struct Spot {
   double x = 0, y = 0;
 };
 
-/// With one decimal.
+/// A length [px] with one decimal.
 std::string px(double value);
 /// "x,y x,y …", for points="".
 std::string points(const std::vector<Spot>& spots);
@@ -28,7 +28,7 @@ struct TextStyle {
   bool halo = false;  ///< a white border, on maps
 };
 std::string text(const Spot& at, std::string_view words, const TextStyle& style);
-/// About how wide a text will be [px].
+/// Estimated width of a text [px].
 double width_of(std::string_view words, double size);
 
 }  // namespace skein::cartography
