@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is well formed yet can hardly be meant: looks at a domain as a whole, and at its problems.
+// Warnings about well-formed but suspicious domains and problems.
 #pragma once
 
 #include <cstddef>

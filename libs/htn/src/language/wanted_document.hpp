@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a text of which not all problems are wanted.
+// Reads a text, skipping unwanted problems.
 #pragma once
 
 #include "skein/htn/syntax.hpp"
@@ -7,7 +7,7 @@
 
 namespace skein::htn {
 
-/// As without `wanted`; problems that are not go to its `passed_over`.
+/// Reads a document; the names of unwanted problems go to `passed_over` of `wanted`.
 Document read_document(std::string file, std::string text, TermStore& store, Diagnostics& problems,
                        WantedProblems& wanted);
 

@@ -19,10 +19,10 @@ struct Form {
 };
 /// Null: there is none of this name.
 const Form* find_form(std::string_view name);
-/// Those that are proposed for a name that nobody knows.
+/// Names of all forms, as suggestions for an unknown name.
 std::vector<std::string> form_names();
 
-/// What all forms are written with. Lifetime: refers to the compiler.
+/// Common base of the form compilers. Lifetime: refers to the compiler.
 class FormWriter {
  public:
   explicit FormWriter(Compiler& compiler)
@@ -42,7 +42,7 @@ class FormWriter {
   Scope& scope_;
 };
 
-/// What decides which parts are evaluated.
+/// Forms of control flow.
 class ControlForms : public FormWriter {
  public:
   using FormWriter::FormWriter;
@@ -66,7 +66,7 @@ class ControlForms : public FormWriter {
   void leave_block(NodeIndex at, Term name);
 };
 
-/// What makes variables, and loops.
+/// Forms that bind variables, and loops.
 class BindingForms : public FormWriter {
  public:
   using FormWriter::FormWriter;
@@ -86,7 +86,7 @@ class BindingForms : public FormWriter {
   void end_loop(Parts header, std::optional<std::uint32_t> index, std::size_t scope);
 };
 
-/// What changes a place: a variable, an item of a table or of an array.
+/// Forms that assign a place: a variable, an item of a table or of an array.
 class PlaceForms : public FormWriter {
  public:
   using FormWriter::FormWriter;
@@ -99,7 +99,7 @@ class PlaceForms : public FormWriter {
   void set_element(NodeIndex element, NodeIndex what);
 };
 
-/// What is data, or a function, or evaluates one.
+/// Forms for data and functions: quoting, lambdas, evaluation.
 class DataForms : public FormWriter {
  public:
   using FormWriter::FormWriter;

@@ -6,7 +6,7 @@
 
 namespace skein::htn::lisp {
 
-/// Writes the code that binds their variables. Lifetime: refers to the compiler.
+/// Emits the code that binds the variables of patterns. Lifetime: refers to the compiler.
 class Patterns {
  public:
   explicit Patterns(Compiler& compiler)
@@ -16,7 +16,7 @@ class Patterns {
         scope_(compiler.scope()) {}
 
   void parameters(NodeIndex list);
-  /// Of the value on the stack.
+  /// Binds the pattern at this node to the value on top of the stack.
   void bind(NodeIndex at);
 
  private:

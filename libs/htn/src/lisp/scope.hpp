@@ -11,7 +11,7 @@
 
 namespace skein::htn::lisp {
 
-/// Those in scope, and those of the unit around, which are captured when they are named. Lifetime:
+/// The variables in scope; variables of the enclosing unit are captured on first use. Lifetime:
 /// refers to its arguments.
 class Scope {
  public:
@@ -23,7 +23,7 @@ class Scope {
 
   Scope(Program& program, Source& source, Writer& writer)
       : program_(program), source_(source), writer_(writer) {}
-  /// Of a lambda inside.
+  /// The scope of a lambda inside `outer`.
   Scope(Scope& outer, Source& source, Writer& writer)
       : program_(outer.program_),
         source_(source),
@@ -31,18 +31,18 @@ class Scope {
         outer_(&outer),
         assignments_(outer.assignments_) {}
 
-  /// What is known of the whole expression before its parts are compiled.
+  /// Records which variables the expression assigns. Precondition: before its parts are compiled.
   void note_assignments(NodeIndex root);
 
   std::optional<Variable> find(Term name);
   void declare(NodeIndex name, std::uint32_t local);
-  /// The value on the stack is that of a new variable.
+  /// Binds a new variable to the value on top of the stack.
   void bind(NodeIndex name);
   void assign(NodeIndex name);
   void read(const Variable& variable);
 
   std::size_t size() const { return variables_.size(); }
-  /// Only the first so many are left in scope.
+  /// Leaves only the first `size` variables in scope.
   void leave(std::size_t size) { variables_.resize(size); }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text of a unit as it is read while it is compiled.
+// Access to the text of a unit during compilation.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace skein::htn::lisp {
 
-/// Nodes of one document, what they say, and errors at their places. Lifetime: refers to its
-/// arguments.
+/// Nodes of one document, their symbols and values, and errors at their positions. Lifetime: refers
+/// to its arguments.
 class Source {
  public:
   Source(Program& program, const Document& document, const SlotOf& slot_of, Diagnostics& errors)
@@ -26,11 +26,11 @@ class Source {
   std::string_view symbol(NodeIndex index) const;
   bool is_symbol(NodeIndex index) const;
   bool is_form(NodeIndex index, std::string_view head) const;
-  /// Of a parameter list: &optional, &rest, …
+  /// Whether the symbol is a marker of a parameter list: &optional, &rest, …
   bool is_marker(NodeIndex at) const { return symbol(at).starts_with('&'); }
   bool is_variable_name(NodeIndex at) const;
   bool contains_call(NodeIndex index) const;
-  /// As it is quoted: variables of the planner become slots.
+  /// The quoted term; variables of the planner become slots.
   Term datum(NodeIndex at) const;
   Term datum_atom(NodeIndex at) const;
 

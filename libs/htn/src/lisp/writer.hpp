@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The instructions of one unit as they are written.
+// Emits the instructions of one unit.
 #pragma once
 
 #include <cstdint>
@@ -24,16 +24,17 @@ class Writer {
   /// With the term, for messages.
   void emit_global(std::uint32_t global, Term term);
   void emit_function(std::string_view builtin, std::uint32_t count);
-  /// The jump leads here.
+  /// Sets the target of the jump to the current position.
   void patch(std::size_t jump);
   std::uint32_t here() const { return static_cast<std::uint32_t>(unit_.code.size()); }
-  /// At this point of the code there are so many values more than the instructions before say.
+  /// Adds to the tracked stack height: at this point there are `by` more values than the preceding
+  /// instructions imply.
   void raise(std::uint32_t by);
-  /// One less: the other branch made one.
+  /// Subtracts one from the tracked stack height, since the other branch pushed the value.
   void drop() { --height_; }
 
   std::uint32_t new_local() { return unit_.locals++; }
-  /// The value on the stack goes there.
+  /// Stores the value on top of the stack in the local.
   void set_hidden(std::uint32_t local);
   /// A local for the variable of the unit around this one.
   std::uint32_t capture(std::uint32_t outer_local);
@@ -42,11 +43,11 @@ class Writer {
 
   void begin_block(Term name) { blocks_.push_back({name, height_, {}}); }
   void end_block();
-  /// The value on the stack becomes that of the block. False: there is no such block.
+  /// Leaves a block with the value on top of the stack. False: there is no such block.
   bool leave_block(Term name);
 
   NodeIndex place() const { return place_; }
-  /// What is emitted from now on stands there.
+  /// Sets the source position of the next instructions.
   void set_place(NodeIndex at) { place_ = at; }
   Unit finish(std::string name);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a search has used and may still use.
+// Budget of a search: work done, and limits.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace skein::htn {
 
-/// Counts the work of a search and says when to stop. Asking costs a comparison; the host is asked
-/// every few thousand inferences.
+/// Counts the work of a search against its limits. Each call costs a comparison; the host's stop
+/// function is polled every few thousand inferences.
 class Budget {
  public:
   Budget(const Limits& limits, const Host& host, std::function<std::size_t()> memory)
@@ -19,15 +19,15 @@ class Budget {
     if (host_.cpu_seconds) start_ = host_.cpu_seconds();
   }
 
-  /// One more goal tried; false when the search must stop.
+  /// Counts one goal tried; false if the search must stop.
   bool infer() { return ++inferences_ < next_check_ || check(); }
-  /// One more task taken.
+  /// Counts one expanded task; false if the search must stop.
   bool expand() {
     ++expansions_;
     if (limits_.expansions && expansions_ > *limits_.expansions) return stop("expansions");
     return expansions_ % kExpansionsPerCheck != 0 || check();
   }
-  /// Inferences that were not the search's.
+  /// Subtracts inferences that do not belong to the search.
   void take_back(std::uint64_t inferences) { inferences_ -= inferences; }
   void fail(std::string error) {
     if (why_.empty()) {

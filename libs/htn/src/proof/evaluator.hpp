@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of Lisp terms under the present bindings.
+// Values of Lisp terms under the current bindings.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,14 @@ namespace skein::htn {
 /// "file:line:column" of an expression.
 std::string place_text(Expression where);
 
-/// What cannot be evaluated ends the search, with its place.
+/// A term that cannot be evaluated ends the search, with the position of the term.
 class Evaluator {
  public:
   Evaluator(CompiledDomain& domain, Bindings& bindings, Budget& budget)
       : domain_(domain), store_(domain.store), bindings_(bindings), budget_(budget) {}
 
   std::optional<Term> value_of(CodeIndex code, Base base);
-  /// A variable takes the value; anything else must be `equalp` to it.
+  /// Binds a variable to the value; any other pattern must be `equalp` to it.
   bool bind(Term pattern, Base base, Term value);
   /// :sort-by, stable as in SBCL: rows by the value of an expression under each of them.
   bool sort(const Condition& condition, Base base, Answers& answers);

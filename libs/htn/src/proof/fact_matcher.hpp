@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Atoms of conditions against the facts in force.
+// Matches atoms of conditions against the facts in force.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace skein::htn {
 
-/// Whether facts alone tell of a goal: an atom of a name and arguments, of which no axiom speaks.
+/// Whether facts alone decide a goal: an atom of a name and arguments without axioms.
 inline bool facts_alone(const Goal& goal) {
   return goal.kind == GoalKind::kAtom && goal.flat && goal.axioms == nullptr;
 }
@@ -67,14 +67,14 @@ class FactMatcher {
     }
     return true;
   }
-  /// Whether some fact matches, for who does not ask for the values of the variables.
+  /// Whether some fact matches, without computing the values of the variables.
   bool some_fact(const Goal& goal, Base base);
-  /// Of atoms asked for one after the other that facts alone tell of, the one that fewest match
-  /// comes first: how far it stands ahead of the first. `done`: those behind it that were tried.
+  /// Chooses the next of successive atoms that facts alone decide: the offset from the first of the
+  /// one with the fewest matching facts. `done`: bits of later ones that were already tried.
   std::uint32_t pick(std::span<const GoalIndex> goals, std::uint32_t done, Base base);
 
  private:
-  /// How many facts may match, at most.
+  /// Upper bound on the number of matching facts.
   std::uint32_t matching(const Goal& goal, Base base);
 
   static constexpr std::uint32_t kFewEnough = 2;   ///< matching facts: no better goal is looked for

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a proof stands: frames to come back to, queries under way, what is to be proved afterwards.
+// State of a proof: choice points, running queries, continuations.
 #pragma once
 
 #include <cstdint>
@@ -104,7 +104,7 @@ struct ProofStack {
     continuations.push_back({ContinuationKind::kGoals, position, done >> 1U, &goals, base, next});
     return static_cast<std::uint32_t>(continuations.size() - 1);
   }
-  /// Whether a test is over behind this: nothing follows that could fail.
+  /// Whether a test succeeds at this continuation: no goal follows that could fail.
   bool ends_test(std::uint32_t after) const {
     return queries.back().test && continuations[after].kind == ContinuationKind::kEmit;
   }
@@ -114,7 +114,7 @@ struct ProofStack {
     const Query& query = queries.back();
     return query.test ? 0 : static_cast<std::uint32_t>(set(query.set).count());
   }
-  /// What a part of a quantifier rests on outlives the part.
+  /// Keeps the support of a part of a quantifier after the part is done.
   void keep_support(Frame& frame, const std::vector<CausalLink>& links);
   void clear();
   std::size_t memory_bytes() const;

@@ -38,7 +38,7 @@ class Prover {
         evaluator_(domain, bindings, budget),
         value_goals_(domain, bindings, budget) {}
 
-  /// All satisfiers of a condition, or the first met. False when the budget stopped the proof.
+  /// All satisfiers of a condition, or the first found. False if the budget stopped the proof.
   bool solve(ConditionIndex condition, Base base, bool just_one, Answers& out);
   /// All satisfiers of the first goals of a condition (for explanations).
   bool solve_part(ConditionIndex condition, std::size_t goals, Base base, Answers& out);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of many rows of terms were met before.
+// A set of rows of terms, to detect duplicates.
 #pragma once
 
 #include <algorithm>
@@ -12,17 +12,17 @@
 
 namespace skein::htn {
 
-/// Rows are known by numbers of the caller's, who shows what stands in them. Few are compared one
-/// by one, many are found by a table; its memory is kept for the next time.
+/// Rows are identified by numbers of the caller, who gives access to their terms. A few rows are
+/// compared one by one, many by a hash table, whose memory is reused.
 class RowSet {
  public:
-  /// Empty again, for at most so many rows.
+  /// Clears the set, for at most `most` rows.
   void begin(std::size_t most) {
     rows_.clear();
     const bool many = most > kFew;
     table_.assign(many ? std::bit_ceil(most * 2) : 0, 0);
   }
-  /// False if an equal row is there.
+  /// Inserts a row. False: the set has an equal row.
   template <class RowAt>
   bool add(std::size_t row, RowAt row_at) {
     const std::span<const Term> wanted = row_at(row);

@@ -32,11 +32,11 @@ struct AgendaNode {
   std::uint32_t note = 0xFFFFFFFFU;  // how it was accomplished: index given by the search
 };
 
-/// The task network with its agenda: the tasks that no other must precede. What leaves the agenda
-/// makes room at its place, what comes is appended, as in SHOP2: so the threads of an unordered
-/// network take turns. SHOP2 knows tasks by what they say, not by where they stand: of equal tasks
-/// on the agenda the one that stands first in the network is worked on, whichever came up
-/// (`twin`). Every operation costs the tasks it moves.
+/// The task network with its agenda: the tasks without unfinished predecessors. As in SHOP2, a task
+/// that leaves the agenda frees its place and new tasks are appended, so the threads of an
+/// unordered network take turns. SHOP2 identifies tasks by their terms, not by their position: of
+/// equal tasks on the agenda the first in the network is expanded, whichever comes up (`twin`).
+/// Cost of every operation: the number of tasks it moves.
 class Agenda {
  public:
   explicit Agenda(TermStore& store) : nothing_(store.pair(store.symbol("!!inop"), kNil)) {}
@@ -44,19 +44,20 @@ class Agenda {
   NodeId first_immediate() const { return holder(first_immediate_); }
   /// The task behind this one on the agenda.
   NodeId next(NodeId task) const { return holder(nodes_[nodes_[task].entry].next); }
-  /// The task behind this one that no task before it equals: trying an equal again would be the
-  /// same.
-  /// How often next_distinct has left a task out.
+  /// The next task on the agenda that equals none before it, since trying an equal task again would
+  /// give the same result.
+  /// Number of tasks that next_distinct has skipped.
   std::uint64_t repeats() const { return repeats_; }
   NodeId next_distinct(NodeId task) const;
-  /// The task to work on when `task` comes up: of those that equal it the first in the network; it
-  /// changes places with the first of them on the agenda, which is the place that gets free.
+  /// The task to expand when `task` comes up: of the equal tasks the first in the network.
+  /// Exchanges its place with that of the first equal task on the agenda, so that this place
+  /// becomes free.
   NodeId twin(NodeId task);
   bool empty() const { return first_ == kNoNodeId; }
   const AgendaNode& operator[](NodeId node) const { return nodes_[node]; }
   std::size_t size() const { return nodes_.size(); }
 
-  /// The whole task of a problem.
+  /// Starts with the task network of a problem.
   void start(const TaskNetwork& tasks);
   /// Puts the network of a branch in the place of a task. `tasks` are its leaves in order,
   /// `forced` which nodes of the body are immediate.

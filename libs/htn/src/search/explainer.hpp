@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a task could not be accomplished, in words and facts.
+// Explanations why a task could not be accomplished.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@ struct Activation {
   Base base;
 };
 
-/// Asks the state as it is. Bindings are as before when a call returns. Lifetime: refers to its
-/// arguments.
+/// Evaluates conditions in the current state; restores all bindings before a call returns.
+/// Lifetime: refers to its arguments.
 class Explainer {
  public:
   Explainer(CompiledDomain& domain, Bindings& bindings, FactBase& facts, Prover& prover,
@@ -30,13 +30,13 @@ class Explainer {
         prover_(prover),
         budget_(budget) {}
 
-  /// Every operator or branch that might have done the task, with the condition that stopped it;
-  /// `maker` has just tried the operator.
+  /// Every operator or branch for the task, with the condition that failed. Precondition: `maker`
+  /// has just tried the operator.
   std::vector<Attempt> attempts(Term task, const StepMaker& maker);
   /// "needs …", or nothing. For traces: counts no inferences of its own.
   std::string unmet_text(ConditionIndex condition, const Activation& activation);
   std::string step_unmet_text(const Operator& operation, Term task);
-  /// "?x = a, ?y = b; ?x = c, ?y = d; …": what the first satisfiers give the variables of the text.
+  /// "?x = a, ?y = b; ?x = c, ?y = d; …": values of the clause's variables in the first satisfiers.
   std::string values_text(const Clause& clause, Base base, const Answers& answers);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an earlier plan chose for its tasks, as far as the search has not used it up.
+// Preferred choices from an earlier plan, minus those that the search has already used.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,25 @@
 
 namespace skein::htn {
 
-/// Each preference serves one accomplishment along one path of the search, so that a task that
-/// calls itself ends as it would without preferences.
+/// Each preference is used at most once along a path of the search, so that recursive tasks
+/// terminate as they would without preferences.
 class Preferences {
  public:
   Preferences(const std::vector<Preference>& preferences, const TermStore& store);
 
   bool empty() const { return groups_.empty(); }
-  /// The next for this task; a task with variables takes that of any instance. Null: none left.
+  /// The next preference for this task; for a task with variables that of any instance. Null: none
+  /// left.
   const Preference* find(Term task) const;
-  /// The task is being accomplished.
+  /// Uses up the next preference of the task.
   void use(Term task);
 
   using Mark = std::uint32_t;
   Mark mark() const { return static_cast<Mark>(trail_.size()); }
   void undo(Mark mark);
 
-  /// Whether a branch with these leaves is the one preferred. Variables agree with everything:
-  /// what the earlier plan bound later counts as equal.
+  /// Whether a branch with these leaves is the preferred one. Unbound variables match anything,
+  /// since the earlier plan may have bound them later.
   bool agrees(const Preference& preference, std::span<const Term> leaves) const;
 
  private:

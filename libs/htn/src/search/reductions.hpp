@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ways a method reduces a task in the present state.
+// The possible reductions of a task by a method in the current state.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace skein::htn {
 
-/// One way: the tasks of a branch under one satisfier, with one task forced to be first.
+/// One reduction: the tasks of a branch under one satisfier, with one task forced to be first.
 struct Reduction {
   const Branch* branch = nullptr;
   std::uint32_t forcing = 0;
   std::uint32_t tasks = 0;     ///< first of the leaves in ReductionPool::tasks
-  std::uint32_t bindings = 0;  ///< first of the values it gives to older variables
+  std::uint32_t bindings = 0;  ///< first of the values that the reduction binds to older variables
   std::uint32_t bindings_end = 0;
-  std::uint32_t locals = 0;  ///< variables of its own that are still unbound
+  std::uint32_t locals = 0;  ///< number of new variables that are still unbound
   std::uint32_t support = 0xFFFFFFFFU;
 };
 
-/// Reductions wait here until they are tried; a stack, cut back when the search backtracks.
+/// Stack of reductions that have not been tried; cut back when the search backtracks.
 struct ReductionPool {
   std::vector<Reduction> reductions;
   std::vector<Term> tasks;
@@ -50,8 +50,8 @@ struct ReductionPool {
   }
 };
 
-/// Works out reductions. All satisfiers of the first branch that has any, in order; of equal
-/// reductions the first is kept.
+/// Computes reductions: all satisfiers of the first branch that has any, in order, without
+/// duplicates.
 class Reducer {
  public:
   Reducer(CompiledDomain& domain, Bindings& bindings, Prover& prover, Budget& budget,
@@ -63,13 +63,13 @@ class Reducer {
         budget_(budget),
         pool_(pool) {}
 
-  /// Which branch was taken or refused, and its satisfiers; for traces.
+  /// Called for each branch that was taken or refused, with its satisfiers; for traces.
   using Tell = std::function<void(const Method&, const Branch&, Base, const Answers&)>;
 
-  /// Appends the reductions of `task` by the method to the pool. Bindings are as before.
+  /// Appends the reductions of `task` by the method to the pool; restores all bindings.
   void reduce(const Method& method, Term task, const Tell& tell);
-  /// Makes the variables of a reduction: binds the older ones and returns the tasks ready for the
-  /// agenda (valid until the next call).
+  /// Applies a reduction: creates its new variables, binds the older ones, and returns the tasks
+  /// for the agenda (valid until the next call).
   const Term* install(const Reduction& reduction);
 
  private:

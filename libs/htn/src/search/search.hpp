@@ -18,8 +18,7 @@
 
 namespace skein::htn {
 
-/// How the tasks of a search were accomplished: the branch of each reduction and, while trees are
-/// recorded, what it rests on.
+/// The branch of a reduction and, while trees are recorded, the facts that it rests on.
 struct ReductionNote {
   const Branch* branch = nullptr;
   std::vector<CausalLink> support;
@@ -33,7 +32,7 @@ struct StepRecord {
   StateChange change;
 };
 
-/// Where a failed search came furthest: most steps, then deepest.
+/// The furthest point of a failed search: most steps, then deepest.
 struct DeepestPoint {
   std::uint64_t expansion = 0;
   std::size_t steps = 0;
@@ -41,8 +40,8 @@ struct DeepestPoint {
 };
 
 /// One run of the search from the initial state. State, bindings, agenda and protections are
-/// changed in place and undone on backtracking; where nothing is left to try, what was needed to
-/// undo is thrown away, so that a plan found without backtracking costs no trail.
+/// changed in place and undone on backtracking; when no alternatives remain the trail is dropped,
+/// so that a plan found without backtracking needs no memory for it.
 class Search {
  public:
   Search(const Domain& domain, const Problem& problem, const Options& options, const Host& host);
@@ -53,26 +52,26 @@ class Search {
     std::optional<std::uint64_t> known_depth;
   };
   void run(const Deepening& deepening, Budget& budget);
-  /// Lets happen what the problem says has happened; the number of events up to the first step
-  /// that does not apply. Part of run().
+  /// Replays the events that the problem says have happened; returns their number up to the first
+  /// step that does not apply. Part of run().
   std::size_t relive(Budget& budget);
   const FactBase& facts() const { return facts_; }
 
   std::vector<Plan> plans;
-  /// What came of it beside plans.
+  /// Outcome of a run apart from its plans.
   struct Course {
     std::uint64_t deepest = 0;
     DeepestPoint deepest_failure;
     bool cut_by_depth = false;
     bool negative_cost = false;
-    bool too_costly = false;  ///< some partial plan was given up for what it costs
+    bool too_costly = false;  ///< some partial plan was pruned because of its cost
   };
   const Course& course() const { return course_; }
   /// Stop at the first dead end of this expansion and explain it.
   void explain_at(const DeepestPoint& point) { explain_at_ = point; }
   const std::optional<FailurePoint>& failure() const { return failure_; }
-  /// What is done and what is to be done next: of a search that was cut, for people. Where depth
-  /// was what cut it, that of the first time.
+  /// For people: steps done and the next task of an interrupted search; if depth limited it, those
+  /// when the limit was first reached.
   std::optional<FailurePoint> standing();
   std::uint64_t repeats() const { return agenda_.repeats(); }
   std::size_t memory_bytes() const;

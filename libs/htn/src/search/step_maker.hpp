@@ -10,7 +10,7 @@
 
 namespace skein::htn {
 
-/// A step as it was applied.
+/// An applied step.
 struct MadeStep {
   Term action;
   Number cost;
@@ -40,7 +40,7 @@ class StepMaker {
   bool apply(const Operator& operation, Term task, StepIndex step, MadeStep& made);
   const char* why() const { return why_; }
   void record_changes(bool on) { recording_ = on; }
-  /// The precondition had no satisfier in the last refusal.
+  /// Whether the last refusal was due to a precondition without a satisfier.
   bool precondition_failed() const { return precondition_failed_; }
 
  private:

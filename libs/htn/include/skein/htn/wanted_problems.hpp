@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of files with many problems, the wanted ones.
+// Reading of selected problems from files with many.
 #pragma once
 
 #include <string>
@@ -11,19 +11,18 @@ namespace skein::htn {
 
 struct WantedProblems {
   std::vector<std::string> names;        ///< none: all problems are wanted
-  std::vector<std::string> passed_over;  ///< of those that were not, in the order of the texts
+  std::vector<std::string> passed_over;  ///< names of the other problems, in the order of the texts
 };
 
-/// What is found while reading; where `warnings` is null, what is merely suspicious is not looked
-/// for.
+/// Diagnostics of reading; if `warnings` is null, checks that only give warnings are skipped.
 struct Findings {
   Diagnostics& errors;
   Diagnostics* warnings = nullptr;
 };
 
-/// As read_definitions without it, but of the top-level forms (defproblem NAME …) only those with a
-/// wanted name are read, whatever its case. The others are passed over by their parentheses, and
-/// nothing in them is looked at; where parentheses do not match, all is read.
+/// Like read_definitions without `wanted`, but reads only the top-level forms (defproblem NAME …)
+/// with a wanted name (ignoring case). The others are skipped by matching parentheses, unchecked;
+/// if parentheses do not match, everything is read.
 void read_definitions(SourceFile file, TermStore& store, const IncludeReader& include,
                       Definitions& definitions, Findings findings, WantedProblems& wanted);
 
