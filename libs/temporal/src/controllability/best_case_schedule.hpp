@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A schedule for the case in which nature is always as fast as it may be; also the potential of
-// searches.
+// A schedule for least contingent durations; also the potential function of the searches.
 #pragma once
 
 #include <vector>
@@ -15,7 +14,7 @@ namespace skein::temporal {
 class BestCaseSchedule {
  public:
   enum class Outcome : std::uint8_t { kDone, kCycle, kOverflow };
-  /// What a new edge asks for.
+  /// The requirement of a new edge.
   struct Seed {
     NodeIndex from = 0;
     Ticks weight = 0;
@@ -23,25 +22,24 @@ class BestCaseSchedule {
   };
 
   explicit BestCaseSchedule(std::size_t nodes);
-  /// A node without edges.
+  /// Adds a node without edges.
   void add_node();
 
   Ticks date(NodeIndex node) const { return dates_[node]; }
   const std::vector<Ticks>& dates() const { return dates_; }
   void restore(std::vector<Ticks> dates) { dates_ = std::move(dates); }
 
-  /// Makes the dates right for the graph, starting from the present ones. `slowest` reads
-  /// lower-case edges with max instead of min: consistency as if nature obeyed. Sweeps are in an
-  /// order that does not depend on that of the file: plans need few; O(n m) at worst. After
-  /// kCycle or kOverflow the dates are worthless.
+  /// Computes dates that satisfy the graph, starting from the current ones. `slowest` reads
+  /// lower-case edges with max instead of min: consistency with contingent links as requirements.
+  /// The order of sweeps does not depend on that of the file: plans need few; O(n m) at worst.
+  /// After kCycle or kOverflow the dates are invalid.
   Outcome solve(const LoGraph& graph, bool slowest);
 
-  /// Makes the dates right for new edges into `target`, which the graph may or may not hold
-  /// already. After kCycle or kOverflow the dates are as before. O(m + n log n), of what has to
-  /// move.
+  /// Updates the dates for new edges into `target`, which may or may not be in the graph already.
+  /// After kCycle or kOverflow the dates are unchanged. O(m + n log n) of the affected part.
   Outcome add_edges(const LoGraph& graph, NodeIndex target, const std::vector<Seed>& seeds);
 
-  /// Of the last `solve`: how often it went over all nodes.
+  /// Number of sweeps over all nodes in the last `solve`.
   std::size_t sweeps() const { return sweeps_; }
 
   /// After kCycle: the edges of the negative cycle, in order.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides dynamic controllability from scratch and says why it fails.
+// Decides dynamic controllability from scratch, with a conflict if the network is not controllable.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace skein::temporal {
 
-/// Contingent links are worked out one by one; each needs those whose activation its search passes.
-/// A chain of needs that closes is a semi-reducible negative cycle, and so is a negative cycle
-/// among base, lower and derived edges.
+/// Contingent links are processed one by one; each needs the links whose activation its search
+/// passes. A cyclic dependency is a semi-reducible negative cycle, and so is a negative cycle among
+/// base, lower and derived edges.
 class DcEngine {
  public:
   DcEngine(const Stnu& network, LoGraph::OpenBounds open);
@@ -20,15 +20,16 @@ class DcEngine {
 
   void add_node();
 
-  /// For who keeps the engine after `decide` said controllable, to change the network.
+  /// For changes of the network after `decide` has said controllable.
   LoGraph& graph() { return graph_; }
   BestCaseSchedule& schedule() { return schedule_; }
   LinkSearch& search() { return search_; }
-  /// The bounds a cycle stands on, its derived edges followed to what they come from.
+  /// The bounds that a cycle consists of, with derived edges resolved to the bounds they follow
+  /// from.
   std::vector<ConflictTerm> explain(const std::vector<PathStep>& cycle);
-  /// What a search for a schedule begins with: no dates, or those of the schedule kept.
+  /// Initial dates of a search for a schedule: none, or those of the current schedule.
   enum class Start : std::uint8_t { kNothing, kSchedule };
-  /// A negative cycle as if nature obeyed; with no value: there is none.
+  /// A negative cycle if contingent links were requirements; no value: there is none.
   Result<std::optional<std::vector<ConflictTerm>>, StnuError> find_inconsistency(Start start) const;
 
  private:

@@ -9,9 +9,9 @@
 
 namespace skein::temporal {
 
-/// Keeps the distances that the last search of each link found, and in the graph exactly the
-/// derived edges that follow from them. A link needs links whose activation is later in the
-/// best-case schedule, so changes are carried on from the latest activation to the earliest.
+/// Keeps the distances found by the last search of each link, and in the graph exactly the derived
+/// edges that follow from them. A link depends only on links with a later activation in the
+/// best-case schedule, so changes are propagated from the latest activation to the earliest.
 class DcUpdater {
  public:
   enum class Outcome : std::uint8_t { kDone, kBroken, kOverflow };
@@ -19,24 +19,25 @@ class DcUpdater {
   /// Precondition: engine.decide() said controllable, and the engine outlives this.
   explicit DcUpdater(DcEngine& engine);
 
-  /// Lowers the weight. After kBroken or kOverflow the network is as before, and after kBroken
-  /// `conflict` tells why. Distances only shrink, so only nodes that come closer are looked at.
+  /// Lowers the weight of a base edge. After kBroken or kOverflow the network is unchanged; after
+  /// kBroken `conflict` has the reason. Distances only shrink, so only nodes with a smaller
+  /// distance are visited.
   Outcome tighten(std::uint32_t edge, Ticks weight);
   /// Raises the weight (kInfinite: no bound). Only nodes that had a shortest path on the edge are
   /// looked at. Precondition: the new weight is greater.
   void loosen(std::uint32_t edge, Ticks weight);
 
   void add_node();
-  /// Takes up a link that the graph has, not yet activated. After anything but kDone this and the
-  /// engine are of no use any more.
+  /// Activates a link of the graph. After any result but kDone this object and the engine must not
+  /// be used any more.
   Outcome add_link(std::uint32_t link);
   /// Takes a link out of the graph, as if its duration had no bounds.
   void remove_link(std::uint32_t link);
 
   const std::vector<ConflictTerm>& conflict() const { return conflict_; }
-  /// Of the node to the end of the link; kInfinite: a search from that end does not reach it.
+  /// Distance of the node to the end of the link; kInfinite: not reached by the search.
   Ticks distance(std::uint32_t link, NodeIndex node) const { return distance_[link][node]; }
-  /// Since the last call.
+  /// Work done since the last call.
   DcCounters take_counters();
 
  private:

@@ -16,12 +16,12 @@ class LinkSearch {
   explicit LinkSearch(std::size_t nodes)
       : queue_(nodes), reached_(nodes, 0), distance_(nodes), via_(nodes) {}
 
-  /// A node more, for graphs that grow.
+  /// Adds a node, for growing graphs.
   void add_node();
 
-  /// A search waits for the links activated at a node it passes, unless they are `ready`. The
-  /// answer is a link that is not, or kNone when the search is complete. Without `ready` it never
-  /// waits.
+  /// Searches from the end of `link`. Needs the links activated at nodes it passes to be `ready`:
+  /// returns one that is not, or kNone when the search is complete. Without `ready` all count as
+  /// ready.
   std::uint32_t run(const LoGraph& graph, const BestCaseSchedule& schedule, std::uint32_t link,
                     const std::vector<std::uint8_t>* ready);
 
@@ -41,7 +41,7 @@ class LinkSearch {
 
   /// Nodes of the last search, in the order settled.
   const std::vector<NodeIndex>& settled() const { return settled_; }
-  /// Of a settled node.
+  /// Distance of a settled node to the end of the link.
   Ticks distance(NodeIndex node) const { return distance_[node]; }
   bool reached(NodeIndex node) const { return reached_[node] == kSettled; }
   /// The edges that follow from the last search; those that the graph implies are left out.

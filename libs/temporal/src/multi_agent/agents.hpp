@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the four algorithms share, and how each is made. The networks given here are valid.
+// Parts shared by the four algorithms, and their factories. Precondition of all: valid networks.
 #pragma once
 
 #include <memory>
@@ -25,11 +25,11 @@ inline tl::unexpected<AgentRefusal> refuse(AgentError error, std::uint32_t where
 }
 std::optional<AgentError> check_bounds(Ticks min, Ticks max);
 
-/// Who may change which arc: position by position of `Mastn::arcs`, as far as an agent must know.
+/// The owner of each arc, by position in `Mastn::arcs`.
 class ArcRights {
  public:
   explicit ArcRights(const Mastn& network);
-  /// What is wrong with `agent` changing these arcs, if anything.
+  /// The refusal if `agent` may not change these arcs.
   std::optional<AgentRefusal> check(std::span<const ArcUpdate> changes, AgentIndex agent) const;
 
  private:
@@ -40,7 +40,7 @@ class ArcRights {
   std::vector<Right> rights_;
 };
 
-/// The last value of every own arc that was ever changed: one sample for each changed key.
+/// The last value of every own arc that was ever changed.
 class ChangedArcs {
  public:
   void note(std::span<const ArcUpdate> changes);

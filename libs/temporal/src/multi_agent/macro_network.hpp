@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an agent shows of its own network to the others: the macro-STN between its frontier nodes.
+// The macro-STN of an agent: constraints between its frontier nodes, as published to the others.
 #pragma once
 
 #include <cstdint>
@@ -24,9 +24,9 @@ class MacroNetwork {
 
   /// `arc`: position in `Mastn::arcs` of an own local arc.
   void set_arc(std::uint32_t arc, Ticks min, Ticks max);
-  /// What differs from the last update, or nothing.
+  /// The macro-constraints that changed since the last update, or nothing.
   std::optional<MacroUpdates> update();
-  /// One sample of everything ever published.
+  /// The last published value of every macro-constraint ever published.
   MacroUpdates published() const;
   std::uint64_t checks() const { return checks_; }
 

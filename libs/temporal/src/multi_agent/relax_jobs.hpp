@@ -16,7 +16,7 @@ namespace skein::temporal {
 /// for each (frontier node, bound, sharer) it had to send RELAX for. Source: notes 5.2.
 class RelaxJobs {
  public:
-  /// Whom to tell when the job closes.
+  /// The RELAX to answer when the job closes.
   struct Origin {
     AgentIndex agent;
     Relax request;
@@ -35,10 +35,11 @@ class RelaxJobs {
   bool ever_opened(JobId job) const { return job != 0 && job <= last_; }
   bool none_open() const { return jobs_.empty(); }
 
-  /// An answer. Gives the origin when that closes a job that has one.
+  /// Handles a RELAXED. Returns the origin if this closes a job that has one.
   std::optional<Origin> close(JobId job, const Wait& wait);
 
-  /// A new session with a peer: it is owed no answer any more, and must be asked again.
+  /// Begins a new session with a peer: drops the answers owed to it, and returns the RELAX messages
+  /// to send to it again.
   std::vector<Relax> begin_session(AgentIndex peer);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a team has told each other of its plans, as one graph.
+// The frontiers of a team's plans, joined to one graph.
 #pragma once
 
 #include <map>
@@ -17,16 +17,16 @@ namespace skein::temporal {
 using Weight = Ticks FrontierArc::*;
 
 bool is_in(const std::vector<std::string>& names, const std::string& name);
-/// A date that is no other in any course.
+/// Whether the date of a node is the same in all courses (fastest, slowest, latest).
 bool is_fact(const Frontier& frontier, std::uint32_t node);
-/// Who waits for himself comes later with every round.
+/// Saturating sum of dates, since a node in a circle of waits gets later with every round.
 Ticks sum(Ticks a, Ticks b);
 
-/// Whole networks become frontiers, whoever told them.
+/// Reduces whole networks to frontiers, by eliminating their inner nodes.
 std::map<std::string, Frontier> without_inner_nodes(std::map<std::string, Frontier> known);
 
-/// All frontiers in one graph, in which who receives waits for who sends. Lifetime: refers to
-/// `known`. Precondition: no inner nodes.
+/// All frontiers in one graph, in which the end of a meeting at its receivers follows the arrivals
+/// of its senders. Lifetime: refers to `known`. Precondition: no inner nodes.
 class TeamGraph {
  public:
   using Known = std::map<std::string, Frontier>;
@@ -40,27 +40,27 @@ class TeamGraph {
   struct Awaited {
     const std::string* agent;
     std::uint32_t arrival;
-    bool there;  ///< it has come
+    bool there;  ///< the agent has arrived
   };
-  /// Who has to come before an end.
+  /// The arrivals that must precede an end.
   const std::vector<Awaited>& awaited(std::uint32_t end) const;
 
-  /// The dates of the origin and the present from which others follow; kMinusInfinite, or, of
-  /// limits, kInfinite: what follows from it does not count.
+  /// The dates of the origin and the present as sources of propagation; kMinusInfinite (for limits
+  /// kInfinite): not a source.
   struct Since {
     Ticks origin = 0, present = 0;
   };
-  /// Earliest dates of a course. Who waits for himself never comes.
+  /// Earliest dates of a course. Nodes in a circle of waits never come.
   std::vector<Ticks> earliest(Weight weight, const Since& since) const;
 
-  /// Of those who wait in the circles that pass through an end: who gives way, and how. There is
-  /// always one who has a meeting before another of a smaller number, and whoever puts these in
-  /// order brings no other two out of it: so it comes to an end.
+  /// Which agent of the circles of waits through an end gives way, and how. In a circle there is
+  /// always an agent that has a meeting before another one of a smaller number; putting these two
+  /// in order does not disorder any other two, so the procedure terminates.
   struct Yield {
     const std::string* agent = nullptr;
     MeetingId meeting = 0, behind = 0;
-    bool there = false;  ///< at the former
-    /// It gives way before the other.
+    bool there = false;  ///< the agent has arrived at the former meeting
+    /// Whether this agent is preferred for giving way.
     bool before(const Yield& other) const;
   };
   std::optional<Yield> yield_at(std::uint32_t end) const;
@@ -70,18 +70,19 @@ class TeamGraph {
     const std::string* of = nullptr;  ///< whose bound it is
     std::size_t arc = 0;              ///< by which it was found
   };
-  /// Latest dates by what all but `without` bound from above, when all lasts longest.
+  /// Latest dates with greatest durations, from the upper bounds of all agents except `without`.
   std::vector<Limit> latest(const std::string& without, const Since& since) const;
-  /// Nothing bounds, and nothing is bounded by, what is marked in `never` from here on.
+  /// Excludes the nodes marked in `never` from propagation from now on.
   void leave_out(const std::vector<bool>& never);
-  /// Whose bounds a limit was found by, in their order. Precondition: of `latest`, and bounded.
+  /// The agents whose bounds a limit follows from, in order. Precondition: the limit is from
+  /// `latest`, and bounded.
   std::vector<std::string> passed(const std::vector<Limit>& limits, std::uint32_t node) const;
 
   /// The ends of meetings on which an arrival rests, as FrontierBasis has them. Precondition: of
   /// `self`.
   std::vector<EndOf> basis_of(std::uint32_t arrival) const;
 
-  /// From the end of a meeting to another one.
+  /// Whether the arc leads from the end of a meeting to another meeting.
   static bool goes_on(const FrontierArc& arc);
 
  private:

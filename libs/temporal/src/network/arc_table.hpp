@@ -26,17 +26,16 @@ constexpr std::uint32_t side(Bound bound) { return static_cast<std::uint32_t>(bo
 constexpr Ticks weight_of_min(Ticks min) { return min; }
 constexpr Ticks weight_of_max(Ticks max) { return max == kInfinite ? kMinusInfinite : -max; }
 
-/// Numbers of arcs that were removed are given again, the last first. Callers check their
-/// arguments.
+/// Ids of removed arcs are reused, the last first. Callers check their arguments.
 class ArcTable {
  public:
   void add_node() { first_.push_back(kNone); }
-  /// The last one. Precondition: it has no arcs.
+  /// Removes the last node. Precondition: it has no arcs.
   void drop_node() { first_.pop_back(); }
-  /// Its weights are to be set.
+  /// Adds an arc; its weights must be set afterwards.
   ArcId add(NodeIndex from, NodeIndex to);
   void remove(ArcId arc);
-  /// The arc that was removed last, as it was.
+  /// Restores the arc that was removed last.
   void put_back(ArcId arc, NodeIndex from, NodeIndex to);
 
   void set_weight(Constraint k, Ticks weight) { weights_[k] = weight; }

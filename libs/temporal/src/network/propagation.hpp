@@ -60,7 +60,7 @@ class Propagation {
   /// Precondition: its interval was relaxed to ]-∞, +∞[ and propagated.
   void remove_arc(ArcId arc);
 
-  /// Notes new bounds; to be followed by `relax()`.
+  /// Sets new bounds; must be followed by `relax()`.
   void set_bounds(const ArcBounds& bounds);
   void set_import(NodeIndex node, Bound bound, Ticks value, std::vector<NodeIndex> trail);
   /// Resets an import and all that follows from it.
@@ -77,10 +77,10 @@ class Propagation {
   const std::vector<Pending>& pending() const { return pending_; }
   const ArcTable& arcs() const { return arcs_; }
 
-  /// What was reset since the last call.
+  /// The bounds that were reset since the last call.
   std::vector<BoundRef> take_resets();
   void forget_resets() { resets_.clear(); }
-  /// What changed for an observer since the last call, in the order of first change.
+  /// The bounds with a net change since the last call, in the order of their first change.
   void take_changes(std::vector<BoundChange>& changes);
 
   /// Undo. While at least one mark is open every write is logged.
@@ -92,7 +92,7 @@ class Propagation {
   bool overflowed() const { return overflowed_; }
   std::uint64_t checks() const { return checks_; }
   std::size_t memory_bytes() const;
-  /// Gives back what building left over.
+  /// Releases unused memory after construction.
   void shrink();
 
  private:

@@ -45,7 +45,7 @@ struct AgentRefusal {
   bool operator==(const AgentRefusal&) const = default;
 };
 
-/// What an agent said last of its own part.
+/// The last consistency status of an agent's own part.
 struct LastWord {
   std::optional<bool> consistent;    ///< absent: nothing said, or overtaken by a later disturbance
   std::optional<MissionTime> heard;  ///< when; absent: never. Its age is now minus this.
@@ -66,7 +66,7 @@ struct Output {
   std::optional<MissionTime> blocked_since;  ///< as `Agent::blocked_since`, after the call
 };
 
-/// One agent of a MaSTN, sans-IO: it is told what happens and says what to send.
+/// One agent of a MaSTN, sans-IO: takes disturbances, messages and link changes, returns messages.
 ///
 /// Laws. Once every message is delivered, for the network as disturbed: all verdicts say whether it
 /// is consistent and, if so, each agent's dates of its own nodes are the earliest and the latest.
@@ -81,7 +81,7 @@ class Agent {
   Agent(const Agent&) = delete;
   Agent& operator=(const Agent&) = delete;
 
-  /// To be called once, first: the propagation of the initial network.
+  /// Propagates the initial network. Must be called first, once.
   Output start(MissionTime now);
   /// New bounds of own local arcs, as one perturbation.
   Result<Output, AgentRefusal> on_disturbance(std::span<const ArcUpdate> changes, MissionTime now);
@@ -89,11 +89,12 @@ class Agent {
   /// The link with a peer went down or came back.
   Result<Output, AgentRefusal> on_link(AgentIndex peer, bool up, MissionTime now);
 
-  /// -∞ and +∞ when nothing is known. Precondition: `node` is its own (for the supervisor: any).
+  /// Dates of a node, -∞ and +∞ if unbounded. Precondition: the agent owns `node` (for the
+  /// supervisor: any).
   virtual Ticks earliest(NodeIndex node) const = 0;
   virtual Ticks latest(NodeIndex node) const = 0;
   Verdict verdict() const;
-  /// Since when it waits for others before it can go on, if it does.
+  /// Instant since which the agent is blocked waiting for others; absent: not blocked.
   virtual std::optional<MissionTime> blocked_since() const = 0;
   /// Evaluations of one difference constraint in one bound system; with DIP-M also one for each
   /// combination of an elimination. Since construction.

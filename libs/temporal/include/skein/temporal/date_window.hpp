@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When a node may come.
+// Earliest and latest date of a node.
 #pragma once
 
 #include "skein/temporal/network.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A network from which each decision of an execution can be taken by looking at neighbours only.
+// Dispatchable form of an STNU: execution decisions need only the neighbours of a node.
 #pragma once
 
 #include <vector>
@@ -30,7 +30,7 @@ struct WaitEdge {
 /// executor on it keeps every requirement, whatever durations nature chooses inside the contingent
 /// bounds.
 struct DispatchableNetwork {
-  Stnu plan;                        ///< what was asked for; contingent links are indexed as there
+  Stnu plan;                        ///< the original network, with the same contingent indices
   std::vector<DistanceEdge> edges;  ///< ordered by (from, to), one for each pair
   std::vector<WaitEdge> waits;      ///< ordered by (node, link), one for each pair
   bool operator==(const DispatchableNetwork&) const = default;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Executes a dispatchable network in real time: what may start now, what must start by when.
+// Real-time execution of a dispatchable network: nodes that may start, and their deadlines.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,12 @@ namespace skein::temporal {
 struct TimePassed {
   bool operator==(const TimePassed&) const = default;
 };
-/// The host has executed a node of its own choice, as it may after `MayStart`.
+/// The host has executed a node that `MayStart` offered.
 struct Executed {
   NodeIndex node = 0;
   bool operator==(const Executed&) const = default;
 };
-/// The end of a contingent link has been seen.
+/// The end of a contingent link has been observed.
 struct Observed {
   NodeIndex node = 0;
   bool operator==(const Observed&) const = default;
@@ -28,14 +28,14 @@ struct Observed {
 /// All happen at `now`: plain dynamic controllability knows no delay of observation.
 using DispatchInput = std::variant<TimePassed, Executed, Observed>;
 
-/// A node may be executed, from now until `until` (ask `window` later: executions narrow it).
+/// A node may be executed from now until `until` (later executions may narrow this: see `window`).
 struct MayStart {
   NodeIndex node = 0;
   std::optional<MissionTime> until;  ///< absent: no limit
   bool operator==(const MayStart&) const = default;
 };
-/// Nature left the bounds of a contingent link: the promise of the network is void and the plan
-/// needs repair. Nothing is offered any more; observations are still recorded.
+/// A contingent duration violated its bounds: the guarantee of the network is void, and the plan
+/// needs repair. No nodes are offered any more; observations are still recorded.
 struct Contingency {
   enum class Kind : std::uint8_t {
     kEarly,    ///< ended before min
@@ -48,13 +48,13 @@ struct Contingency {
   Duration elapsed;  ///< since the activation; 0 for kUnasked
   bool operator==(const Contingency&) const = default;
 };
-/// The host let the last date of a node pass. Nothing is offered any more.
+/// The host missed the latest date of a node. No nodes are offered any more.
 struct Missed {
   NodeIndex node = 0;
   MissionTime deadline;
   bool operator==(const Missed&) const = default;
 };
-/// An input that makes no sense, and changed nothing but the hour.
+/// An invalid input, which had no effect except on the time.
 struct Refused {
   enum class Why : std::uint8_t {
     kUnknownNode,
@@ -70,22 +70,23 @@ struct Refused {
   Why why = Why::kUnknownNode;
   bool operator==(const Refused&) const = default;
 };
-/// Every node has been executed or observed. Given once.
+/// Every node has been executed or observed. Emitted once.
 struct Completed {
   bool operator==(const Completed&) const = default;
 };
 using DispatchEffect = std::variant<MayStart, Contingency, Missed, Refused, Completed>;
 
-/// Dates between which a node may be executed as far as is known now.
+/// Current window of dates in which a node may be executed.
 struct DispatchWindow {
   MissionTime from;
   std::optional<MissionTime> until;  ///< absent: no limit
   bool operator==(const DispatchWindow&) const = default;
 };
 
-/// Sans-IO executor of the RTE* kind. A host executes nodes that `MayStart` named, each before its
-/// window closes, and tells; it tells each contingent end at the instant it is seen. If it does so
-/// and nature keeps its bounds, no requirement is ever violated, whatever dates the host chooses.
+/// Sans-IO executor of the RTE* kind. The host executes nodes offered by `MayStart` before their
+/// windows close, and reports each execution and each contingent end at its instant. If it does so
+/// and contingent durations keep their bounds, no requirement is violated, whatever dates the host
+/// chooses.
 /// Cost of an input: O(degree of the node + n). Thread rule: not safe to share.
 /// Source: spec 5.2; Hunsberger, Posenato 2024.
 class Dispatcher {
@@ -97,14 +98,14 @@ class Dispatcher {
   /// The next date at which `TimePassed` has an effect, if nothing happens before.
   std::optional<MissionTime> next_wakeup() const;
 
-  /// Of a controlled node that is not executed; absent otherwise, and when it waits for another
-  /// node.
+  /// Window of a controlled node that is not executed; absent otherwise, and while it has to wait
+  /// for another node.
   std::optional<DispatchWindow> window(NodeIndex node) const;
-  /// When the node was executed or observed.
+  /// Date of execution or observation of the node; absent: not yet.
   std::optional<MissionTime> date(NodeIndex node) const;
   /// Nodes that may be executed at the instant of the last input, in the order of their numbers.
   std::vector<NodeIndex> startable() const;
-  /// The earliest limit among the nodes that are enabled: something must be executed by then.
+  /// The earliest limit of the enabled nodes, by which a node must be executed.
   std::optional<MissionTime> must_act_by() const;
   bool stopped() const { return stopped_; }
   bool complete() const { return remaining_ == 0; }

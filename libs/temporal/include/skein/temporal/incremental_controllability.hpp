@@ -33,27 +33,26 @@ class IncrementalDc {
   /// afterwards.
   Result<DcResult, StnuError> change_contingent(std::uint32_t link, Ticks min, Ticks max);
 
-  /// A node without links. A node goes by losing its links; it may be used again.
+  /// Adds a node without links. A node is removed by removing its links; its index may be reused.
   NodeIndex add_node(std::string name);
-  /// An arc more, in the place of one that was removed or as the last one; its position is that of
-  /// `placed()`. On an error the state is unchanged.
+  /// Adds an arc, at the position of a removed one or as the last; `placed()` has its position. On
+  /// an error the state is unchanged.
   Result<DcResult, StnuError> add_arc(const Arc& arc);
   std::uint32_t placed() const;
-  /// It stays as an open arc, ]-∞, ∞[, until its place is used again.
+  /// Removes an arc; it remains as an open arc, ]-∞, ∞[, until its position is reused.
   Result<DcResult, StnuError> remove_arc(std::uint32_t arc);
-  /// The last one of the contingent links. Cost: a search from its end and what that changes for
-  /// others; a check from scratch when the network is not controllable, before or after.
+  /// Adds a contingent link, as the last one. Cost: a search from its end and updates of affected
+  /// links; a check from scratch if the network is not controllable before or after.
   Result<DcResult, StnuError> add_contingent(const ContingentLink& link);
-  /// The last one takes its position.
+  /// Removes a contingent link; the last one takes its position.
   Result<DcResult, StnuError> remove_contingent(std::uint32_t link);
 
-  /// Of a controllable network, what follows from contingent links for the execution: nodes that
-  /// come no earlier than `delay` after the activation of a link, unless its end has come before
-  /// (when delay > min; else in any case). Ordered by link. delay > 0. Nodes that must come after
-  /// the end anyway are left out.
+  /// Waits of a controllable network: nodes that come no earlier than `delay` after the activation
+  /// of a contingent link, unless its end has come before (if delay > min; else in any case).
+  /// Ordered by link. delay > 0. Nodes that must come after the end anyway are left out.
   std::vector<WaitEdge> waits() const;
-  /// Of a controllable network, what follows from contingent links whatever nature does: it has to
-  /// be kept to beside what was given. Ordered by link.
+  /// Bounds of a controllable network that follow from contingent links for any durations, and must
+  /// be kept in addition to the given ones. Ordered by link.
   std::vector<DistanceEdge> implied() const;
 
   const Stnu& network() const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A network with uncertainty that lives: nodes and links have names, come and go, and the verdict
-// is kept.
+// An STNU under change: named nodes and links are added and removed, and its controllability is
+// kept up to date.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 
 namespace skein::temporal {
 
-/// What a node stands for, for all who know of it. Stable: whatever else comes and goes.
+/// Global name of a node; stable under changes of the network.
 struct NodeName {
-  std::uint32_t agent = 0;  ///< whose it is
-  std::uint64_t key = 0;    ///< the owner's
+  std::uint32_t agent = 0;  ///< owner
+  std::uint64_t key = 0;    ///< chosen by the owner
   auto operator<=>(const NodeName&) const = default;
 };
 
-/// What a link stands for: of whose task, and which of its bounds, towards what.
+/// Name of a link: the task it belongs to, which of its bounds, and the other end.
 struct LinkName {
   std::uint32_t agent = 0;
   std::uint64_t key = 0;
@@ -61,10 +61,10 @@ struct NamedWait {
   Ticks delay = 0;
 };
 
-/// Nodes and links are changed in place and decided together, by `settle`: by what depends on the
-/// changes when they are few and the network was controllable, else from scratch. A node that comes
-/// again under its name is of another epoch, so that what is said of the old one is not taken for
-/// it; links to nodes of other agents are links like any other. Memory: that of IncrementalDc.
+/// Nodes and links are changed in place, and `settle` decides all changes together: incrementally
+/// if they are few and the network was controllable, else from scratch. A node that is added again
+/// under its name has a new epoch, so that messages about the old one are not applied to it; links
+/// to nodes of other agents are links like any other. Memory: that of IncrementalDc.
 /// Thread rule: not safe to share. Movable. Source: spec 5.2; T IV.4.1.
 class LiveNetwork {
  public:
@@ -73,27 +73,27 @@ class LiveNetwork {
 
   LiveNetwork();
 
-  /// Its index, for as long as it is there; that of a removed node is used again. Precondition: it
-  /// is not there.
+  /// Adds a node and returns its index, which is valid until its removal and reused afterwards.
+  /// Precondition: the network has no node of that name.
   NodeIndex add_node(const NodeName& name);
-  /// Its links go with it. Precondition: it is there, and not the origin.
+  /// Removes a node and its links. Precondition: the node exists and is not the origin.
   void remove_node(const NodeName& name);
   std::optional<NodeIndex> index(const NodeName& name) const;
-  /// Greater than that of any node that came before it; absent when it is not there.
+  /// Epoch of a node, greater than that of any node added before it; absent: no such node.
   std::optional<std::uint32_t> epoch(const NodeName& name) const;
 
-  /// New, or changed. The answer numbers the link for as long as it is there. Preconditions: its
-  /// nodes are there and differ; its bounds are as LiveLink says.
+  /// Adds or changes a link; returns its number, valid until its removal. Preconditions: its nodes
+  /// exist and differ; its bounds satisfy LiveLink.
   std::uint32_t set_link(const LinkName& name, const LiveLink& link);
   void remove_link(const LinkName& name);
 
-  /// Works out what changed.
+  /// Decides controllability after the changes.
   const LiveVerdict& settle();
   const LiveVerdict& verdict() const { return verdict_; }
-  /// After settle(), of a controllable network: all that hold a node back, in the order of links.
+  /// All waits of a controllable network after settle(), in the order of links.
   std::vector<NamedWait> waits() const;
-  /// After settle(), of a controllable network: bounds that follow from contingent links whatever
-  /// nature does, in the order of links.
+  /// Bounds that follow from contingent links for any durations, in the order of links.
+  /// Precondition: settle() has found the network controllable.
   std::vector<DistanceEdge> implied() const;
 
   /// As a plain value; places of removed nodes are nodes without links.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simple temporal network whose links come and go under names of the caller's.
+// A simple temporal network with links that are added and removed under ids of the caller.
 #pragma once
 
 #include <cstdint>
@@ -13,25 +13,25 @@
 
 namespace skein::temporal {
 
-/// Dates under links that are set and erased one by one; several may join the same two nodes, and
-/// contradict each other. What changed is worked out by `settle`, together: by revising what
-/// depends on it, or from scratch when most of the network changed. Node 0 is the origin; nodes are
-/// made as links name them and go by losing their links. Thread rule: not safe to share. Source:
-/// spec 5.1.
+/// Keeps dates under links that are set and erased one by one; several may join the same two nodes,
+/// and contradict each other. `settle` propagates all changes together: incrementally, or from
+/// scratch if most of the network changed. Node 0 is the origin; nodes exist as long as links refer
+/// to them. Thread rule: not safe to share. Source: spec 5.1.
 class LiveStn {
  public:
   using LinkId = std::uint64_t;
 
-  /// A new link, or new nodes or bounds of one. Bounds may be infinite. Precondition: from != to,
+  /// Adds a link, or changes its nodes or bounds. Bounds may be infinite. Precondition: from != to,
   /// min <= max.
   void set(LinkId link, const Arc& arc);
-  /// Of a link that is not there: nothing.
+  /// Removes a link; no effect if there is none of this id.
   void erase(LinkId link);
   void settle();
 
   /// After settle(): a solution exists, with dates within ±kLargest.
   bool consistent() const { return !overflowed_ && engine_.consistent(); }
-  /// After settle(), of a consistent network. A node that no link names is unbounded.
+  /// Date of a node. Precondition: settle() was called, and the network is consistent. A node
+  /// without links is unbounded.
   Ticks earliest(NodeIndex node) const;
   Ticks latest(NodeIndex node) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the agents of a multi-agent temporal network say to each other.
+// Messages between the agents of a multi-agent temporal network.
 #pragma once
 
 #include <cstddef>
@@ -112,8 +112,8 @@ struct Message {
 
 /// Whether it is data (UPDATE, RELAX, RELAXED, macro) rather than CONSISTENCY or Hello.
 bool is_data(const Content& content);
-/// How many messages the paper would count for it: one for each arc, bound or macro-constraint it
-/// packs; 1 for a status flag alone.
+/// The number of messages by the paper's count: one for each arc, bound or macro-constraint in the
+/// content; 1 for a status flag alone.
 std::size_t unit_count(const Content& content);
 /// For people and golden files: "RELAX(7, LB, job 3)".
 std::string to_text(const Content& content);

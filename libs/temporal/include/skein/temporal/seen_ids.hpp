@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which message ids of one sender were handled.
+// The set of handled message ids of one sender.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may be wrong with a network with uncertainty before anything is asked of it, and references
-// to its links.
+// Faults of the definition of an STNU, and references to its links.
 #pragma once
 
 #include <cstdint>
