@@ -72,9 +72,9 @@ inline constexpr std::uint64_t kMostQuickSteps = 30'000'000;
 /// kMostStops stops, each with a gate; sizes agree. Source: spec 4.2 (tour).
 TourOrder solve_tour(const TourProblem& problem, const Budget& budget, std::uint64_t seed);
 
-/// Default number of steps of the iterated search: 100 perturbations per stop (symmetrical costs),
-/// or the moves of 20,000 stops. Measured on 200 stops of seven kinds (bench/tour_bench.cpp): 19 to
-/// 58 ms of CPU with symmetrical costs, 62 to 65 ms otherwise.
+/// Default number of steps of the iterated search: 100 perturbations per stop with symmetrical
+/// costs, else 20,000 + 20 per stop. Measured on 200 stops of seven kinds (bench/tour_bench.cpp):
+/// 19 to 58 ms of CPU with symmetrical costs, 62 to 65 ms otherwise.
 std::uint64_t default_tour_steps(const TourProblem& problem);
 
 }  // namespace skein::refiners
