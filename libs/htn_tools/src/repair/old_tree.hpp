@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decomposition of a plan of which some steps are executed: what is done, in progress, ahead.
+// The decomposition of a partly executed plan: tasks done, in progress, and ahead.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace skein::htn {
 
-/// A task network to plan, and which node of the old tree each of its tasks stands for, in order.
+/// A task network to plan, with the node of the old tree for each of its tasks, in order.
 struct RemainingTasks {
   TaskNetwork network;
   std::vector<TreeIndex> leaves;
@@ -20,22 +20,23 @@ struct RemainingTasks {
 
 class OldTree {
  public:
-  /// Whether a fact (or (not fact)) was taken away by the last divergence.
+  /// Whether the last divergence made a fact (or (not fact)) false.
   using Gone = std::function<bool(Term)>;
 
   OldTree(const Plan& plan, StepIndex executed, TermStore& store);
-  /// What makes the plan no plan with a tree, if anything; nothing else may be called then.
+  /// Fault of the plan's tree, empty if there is none; with a fault no other method may be called.
   const std::string& fault() const { return fault_; }
 
-  /// Says what is done. A task without steps that nothing executed comes after may have to be
-  /// looked at again: all of them are taken as ahead, or only those that lost what they rest on.
+  /// Determines the phase of each task. Tasks without steps that no executed step follows are
+  /// uncertain: with `cautious` all of them count as ahead, else only those that lost their
+  /// support.
   void settle(const Gone& gone, bool cautious);
 
   bool done(TreeIndex node) const { return phases_[node] == Phase::kDone; }
   bool ahead(TreeIndex node) const { return phases_[node] == Phase::kAhead; }
   bool in_progress(TreeIndex node) const { return phases_[node] == Phase::kInProgress; }
 
-  /// The first node, in the order of execution, that needs a fact which is lost.
+  /// The first node, in the order of execution, that needs a lost fact.
   std::optional<std::pair<TreeIndex, Term>> first_clobbered(const Gone& gone) const;
   /// The node of a step.
   TreeIndex leaf_of(StepIndex step) const { return leaves_[step]; }
@@ -44,7 +45,7 @@ class OldTree {
   /// The topmost tasks and steps, in order.
   std::vector<TreeIndex> top_tasks() const;
 
-  /// What remains when the tasks `again` are begun again. Nothing if it is nested too deep.
+  /// The remaining tasks if those in `again` are begun again. Nothing if nested too deep.
   std::optional<RemainingTasks> remaining(const std::vector<TreeIndex>& again) const;
   /// The choices below these nodes, in the order of execution.
   std::vector<Preference> preferences(const std::vector<TreeIndex>& nodes) const;

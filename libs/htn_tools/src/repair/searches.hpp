@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches the ways of repairing a plan, the small ones first, and takes the best plan.
+// Searches over repair attempts, the smallest repairs first, and chooses the best plan.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,21 @@
 
 namespace skein::htn {
 
-/// One way: the tasks that are begun again.
+/// One repair attempt, given by the tasks that are begun again.
 struct RepairAttempt {
   const OldTree* tree = nullptr;
   std::vector<TreeIndex> again;
   bool free_variables = false;  ///< the problem's tasks as the problem gives them
 };
 
-/// Every attempt first gets little effort, then more and more, until each has ended, so that a
-/// small repair that searches for ever does not keep a larger one from being found.
+/// Runs all attempts in turn with increasing effort until each has ended, so that an endless search
+/// for a small repair does not prevent a larger one from being found.
 class RepairSearches {
  public:
-  /// `present` is the whole problem with all that has happened.
+  /// `present`: the whole problem, including all events so far.
   RepairSearches(const Domain& domain, const Problem& present, const RepairRequest& request,
                  const RepairOptions& options, const Host& host);
-  /// `applies`: the remaining steps can be done in their order, and their links hold.
+  /// `applies`: the remaining steps are executable in their order, and their causal links hold.
   Repair run(const std::vector<RepairAttempt>& attempts, bool applies);
 
  private:

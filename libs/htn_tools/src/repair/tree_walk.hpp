@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways through decomposition trees, without recursion.
+// Traversals of decomposition trees, without recursion.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ inline bool is_network(const TreeNode& node) {
   return node.kind == TreeNodeKind::kOrdered || node.kind == TreeNodeKind::kUnordered;
 }
 
-/// The tasks and steps from `from` on downwards that no other task is above of, in order.
+/// The topmost tasks and steps below `from` (or `from` itself), in order.
 inline std::vector<TreeIndex> topmost_tasks(const std::vector<TreeNode>& tree,
                                             std::vector<TreeIndex> from) {
   std::vector<TreeIndex> found;

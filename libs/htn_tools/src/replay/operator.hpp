@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an operator does to a state, and why it does not apply.
+// Application of operators to a state, and reasons why one does not apply.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace skein::htn::replay {
 
-/// What one way of applying an operator leads to.
+/// One application of an operator, with its effects.
 struct Application {
   Term action;  ///< with all that the precondition bound
   std::vector<Term> deletions;
@@ -28,12 +28,12 @@ std::vector<Application> applications(ProofContext& context, const OperatorClaus
 /// The first conjunct of the precondition that has no proof together with those before it.
 std::string unmet_conjunct(ProofContext& context, const OperatorClause& clause, Term action);
 
-/// Changes the world: deletions, additions, then protections are checked. The reason if it may
-/// not be; the world is then as it was.
+/// Changes the world: deletions, additions, then the check of protections. Returns the reason if it
+/// is not permitted; the world is then unchanged.
 std::optional<std::string> apply(ProofContext& context, World& world,
                                  const Application& application);
 
-/// The text of a goal with what is known put in; variables keep their names.
+/// The text of a goal with bound variables replaced; unbound ones keep their names.
 std::string goal_text(const ProofContext& context, const Goal& goal, std::uint32_t base);
 
 }  // namespace skein::htn::replay

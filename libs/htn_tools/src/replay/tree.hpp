@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Is a tree a decomposition of the problem's tasks that yields the steps?
+// Checks that a tree is a decomposition of the problem's tasks that yields the steps.
 #pragma once
 
 #include <optional>

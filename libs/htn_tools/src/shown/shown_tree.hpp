@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nodes of a decomposition that are worth showing: networks that say nothing are passed
-// through.
+// The nodes of a decomposition for display; networks without information are skipped.
 #pragma once
 
 #include <string>
@@ -18,11 +17,11 @@ class ShownTree {
 
   const StepNumbers& numbers() const { return numbers_; }
   const TreeNode& operator[](TreeIndex index) const { return plan_.tree[index]; }
-  /// Where showing begins: the root, or what stands for it.
+  /// The topmost shown nodes: the root, or its shown descendants.
   std::vector<TreeIndex> top() const;
   /// Shown nodes right below a shown one, in order.
   std::vector<TreeIndex> below(TreeIndex index) const;
-  /// What a node needed that a step had made, each fact once.
+  /// The facts that a node needed and a step had made, without duplicates.
   std::vector<CausalLink> made(TreeIndex index) const;
   /// Name of the operator of a step: "!drive". Empty for a plan that has no such step.
   std::string operator_of(StepIndex step, const TermStore& store) const;

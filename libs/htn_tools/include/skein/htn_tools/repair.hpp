@@ -11,7 +11,7 @@
 
 namespace skein::htn {
 
-/// A fact that came about or was lost during execution, by no step of the plan.
+/// An exogenous change of a fact during execution.
 struct Change {
   bool added = false;  ///< else deleted
   Term fact;           ///< ground
@@ -47,7 +47,7 @@ enum class RepairVerdict : std::uint8_t {
   kError      ///< request or plan does not fit the problem, or a term could not be evaluated
 };
 
-/// A task that is not accomplished as the old plan meant to.
+/// A task that is accomplished otherwise than in the old plan.
 struct Redone {
   Term task;
   bool begun =
@@ -55,7 +55,7 @@ struct Redone {
   bool operator==(const Redone&) const = default;
 };
 
-/// What the divergence took away first.
+/// The first needed fact that the divergence made false.
 struct Clobbered {
   Term fact;  ///< (not atom) if the atom came about
   Term task;  ///< the task or step that needs it

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What became of a plan under repair, for people and for programs.
+// Results of plan repair as text and JSON.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a search did, for people: its trace line by line, and why it found nothing.
+// Text for people about a search: trace lines, and reasons for failure.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ std::string to_text(const TraceEvent& event, const TermStore& store, const TextS
 /// top, and for each attempt the condition that nothing satisfied with the facts nearest to it.
 std::string to_text(const FailurePoint& failure, const TermStore& store, const TextStyle& style);
 
-/// Where a limit cut a search: its last steps, the tasks open there, and which of them are inside
-/// themselves.
+/// The point at which a limit ended a search: the last steps, the open tasks, and which of these
+/// recur within themselves.
 std::string standing_text(const FailurePoint& point, const TermStore& store,
                           const TextStyle& style);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Do the steps of a plan accomplish the tasks of its problem? For plans that come without a tree.
+// Finds the decomposition for a plan that is given without a tree.
 #pragma once
 
 #include "skein/htn/planner.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Is this a plan? Replays steps against domain and problem, with code of its own.
+// Plan validation: replays the steps against domain and problem, independently of the planner.
 #pragma once
 
 #include <cstdint>
