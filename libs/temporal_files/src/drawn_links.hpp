@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What both kinds of pictures show of a network.
+// Links of a network as both kinds of pictures show them.
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ struct DrawnLink {
   bool in_conflict = false;
 
   const char* colour() const;
-  /// `to` comes first, or more likely does.
+  /// Whether `to` comes before `from`, certainly or probably.
   bool is_backwards() const;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the reader and the writer of GraphML have in common.
+// Constants common to the reader and the writer of GraphML.
 #pragma once
 
 namespace skein::temporal {
 
-/// What the CSTNU Tool calls the origin.
+/// Name of the origin in the CSTNU Tool.
 inline constexpr const char* kGraphmlOrigin = "Z";
 
 }  // namespace skein::temporal

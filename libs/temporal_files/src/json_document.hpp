@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A JSON text as values that know where they stand, and its strict reading.
+// A JSON text as values with positions, and its strict reading.
 #pragma once
 
 #include <initializer_list>
@@ -29,7 +29,7 @@ struct JsonValue {
 /// than four million values, or an object has a key twice.
 std::optional<JsonValue> parse_json(std::string_view text, Problems& problems);
 
-/// A value with its path ("arcs[3].min"). What is asked for and not there becomes a problem.
+/// A value with its path ("arcs[3].min"). Reading a missing value adds a problem.
 /// Lifetime: that of the value and of the problems.
 class JsonNode {
  public:
@@ -41,11 +41,11 @@ class JsonNode {
   /// Whether it is an object; any keys.
   bool is_object() const;
   bool has(std::string_view key) const { return value_of(key) != nullptr; }
-  /// Nothing and a problem when it is missing.
+  /// The value of a key; nothing and a problem if it is missing.
   std::optional<JsonNode> at(std::string_view key) const;
-  /// Nothing when it is missing.
+  /// The value of a key; nothing if it is missing.
   std::optional<JsonNode> find(std::string_view key) const;
-  /// Empty and a problem when it is no array.
+  /// The items of an array; empty and a problem if the value is no array.
   std::vector<JsonNode> items() const;
 
   std::optional<std::string> name() const;

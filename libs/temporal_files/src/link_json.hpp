@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What our two JSON formats have in common: {"from": "a", "to": "b", "min": 1.5, "max": null}.
+// Links as in both of our JSON formats: {"from": "a", "to": "b", "min": 1.5, "max": null}.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@
 
 namespace skein::temporal {
 
-/// Nothing, and problems, when something is missing or wrong.
+/// Reads a link; nothing, and problems, if a field is missing or wrong.
 std::optional<Arc> arc_from(const JsonNode& node, const NameTable& nodes);
 
-/// Without a line end.
+/// The JSON text of a link, without a line end.
 std::string arc_text(const Arc& arc, const std::vector<std::string>& nodes);
 
 /// A JSON array with one element on each line.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every reader checks of nodes, arcs and contingent links, whatever the format.
+// Checks of nodes, arcs and contingent links, common to the readers of all formats.
 #pragma once
 
 #include <cstdint>
@@ -38,8 +38,8 @@ class NameTable {
   std::unordered_map<std::string, std::uint32_t> positions_;
 };
 
-/// Ours are strict. In those of others a link from a node to itself is a constraint like any other,
-/// and a contingent min may be 0 or less.
+/// Rules for links: strict for our formats. In foreign formats a link from a node to itself is a
+/// constraint like any other, and a contingent min may be 0 or less.
 enum class LinkRules : std::uint8_t { kOurs, kOthers };
 
 /// Arcs and contingent links that are right: known nodes, min <= max, none from a node to itself,
@@ -57,7 +57,7 @@ class LinkTable {
 
   void add(const Arc& arc, const Place& place);
   void add(const ContingentLink& link, const Place& place);
-  /// The node that no contingent link may end in.
+  /// Sets the origin, in which no contingent link may end.
   void set_origin(NodeIndex origin) { origin_ = origin; }
 
   std::vector<Arc> take_arcs() { return std::move(arcs_); }

@@ -11,7 +11,7 @@
 
 namespace skein::temporal {
 
-/// Where something stands in a file. Zero and empty: unknown.
+/// A position in a file. Zero and empty: unknown.
 struct Place {
   int line = 0;
   int column = 0;
@@ -32,11 +32,12 @@ class Problems {
   void add_unknown(const Place& place, std::string_view kind, std::string_view name,
                    const std::vector<std::string>& candidates);
 
-  /// What is read all the same, but otherwise than it may be meant. As many as errors.
+  /// Adds a warning about content that is read, but possibly not as intended. At most as many as
+  /// errors.
   void warn(const Place& place, std::string message);
 
   bool none() const { return found_.empty(); }
-  /// There is no use in reading on.
+  /// Whether there are so many errors that reading should stop.
   bool full() const { return full_; }
   Diagnostics take() { return std::move(found_); }
   Diagnostics take_warnings() { return std::move(warnings_); }
@@ -49,7 +50,7 @@ class Problems {
   bool full_ = false;
 };
 
-/// In single quotes, cut when long, with '?' for what a terminal had better not see.
+/// The text in single quotes, shortened if long, with '?' for characters unsafe on a terminal.
 std::string in_quotes(std::string_view text);
 
 /// Why a text cannot be the name of a node or agent; empty when it can. Names are UTF-8 without

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One reader for each format; read_network() chooses. What they give counts only if no problem was
-// found.
+// One reader for each format; read_network() chooses. Their results are valid only if no problem
+// was found.
 #pragma once
 
 #include <string_view>

@@ -23,7 +23,8 @@ struct DrawingOptions {
 inline constexpr std::size_t kLegibleNodes = 60;
 inline constexpr std::size_t kMostDrawnNodes = 1000;
 
-/// Why draw_svg() would fail, told from the size alone; absent when only the layout can tell. O(1).
+/// The failure of draw_svg() if it follows from the size alone; absent: the layout has to be tried.
+/// O(1).
 std::optional<Failure> too_large_to_draw(const Stnu& network);
 
 /// Text for Graphviz, of any size. Preconditions: the indices are positions; there are as many

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes of a network as text: what to give, one after the other, to a network that is kept
-// checked.
+// Changes of a network as text, to be applied one after the other to an incrementally checked
+// network.
 #pragma once
 
 #include <string>
