@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pieces of a mission that are drawn by themselves.
+// Generators of single parts of a mission.
 #pragma once
 
 #include <functional>
@@ -12,57 +12,57 @@
 
 namespace skein::mission_lab {
 
-/// Rounded to a whole number.
+/// A number rounded to an integer, as text.
 std::string whole(double number);
 /// "[10, 20]".
 std::string point(double x, double y);
-/// Rounded to one decimal.
+/// A number rounded to one decimal, as text.
 std::string tenths(double number);
-/// Rounded to two.
+/// A number rounded to two decimals, as text.
 std::string hundredths(double number);
-/// A new place on the ground, "P1", "P2", … in their order: its name.
+/// Adds a random place on the ground to the mission; returns its name ("P1", "P2", …).
 std::string add_place(Random& random, Mission& mission);
-/// Which of the team a step is for.
+/// Index of the team member that a step is for.
 std::size_t member_of(const Mission& mission, const Step& step);
-/// Times of a high-level task.
+/// Random time constraints of a high-level task.
 std::string draw_times(Random& random);
-/// A high-level task of which it is asked what it would take.
+/// A random high-level task for a request that only evaluates it.
 std::string draw_question_task(Random& random);
-/// A fault: for a while, or for good, the UAV takes no task of a type.
+/// A fault: the UAV refuses tasks of a type, for a while or permanently.
 std::string draw_refusals(Random& random, const std::string& uav, double latest);
 
-/// Words and times of two tasks asked for at that time [s]: a mapping, and a look with a date that
-/// may be long before its end.
+/// Statements and time constraints of two tasks requested at the time `at` [s]: a mapping, and a
+/// perception task whose date may be long before the end of the mapping.
 std::vector<std::pair<std::string, std::string>> draw_look_amid_mapping(Random& random, double at);
 
-/// Four corners, turned a little.
+/// A random zone: a slightly rotated quadrilateral.
 std::string draw_zone(Random& random);
 
-/// Two UAVs watch a place together: where, and the words of the task.
+/// A joint task of two UAVs that observe a place: its places and its statement.
 struct JointTask {
   std::vector<std::string> places;  ///< "J1: [10, 20, 0]"
   std::string words;
 };
 JointTask draw_joint_task(Random& random, const std::vector<std::string>& uavs);
 
-/// A fault: one of the daemons dies in [3, latest] s and comes back with what it knew.
+/// A fault: one of the daemons is killed in [3, latest] s and restarts with its stored state.
 std::string draw_death(Random& random, const std::vector<std::string>& daemons, double latest);
-/// The same, but it comes back with nothing.
+/// The same fault with a restart without stored state.
 std::string forgetting(std::string death);
 
-/// One to three deaths of daemons in a mission, in [3, latest] s, drawn from its seed beside all
-/// else: the mission is the one without them, and so is most of what it comes to. A functional
-/// layer may come back with nothing it knew; its vehicles are where they are.
+/// Adds one to three kills of daemons in [3, latest] s, drawn from the mission's seed by a separate
+/// sequence, so that the rest of the mission is unchanged. A functional layer may restart without
+/// its stored state; its vehicles stay where they are.
 void add_deaths(Mission& mission, double latest);
 
-/// A device of the UAV that the fault is of.
+/// Draws a device of the UAV.
 using DrawDevice = std::function<std::string(Random&)>;
-/// A fault of the vehicle, in [10, latest] s: slow, a task that aborts, a device that breaks,
-/// energy.
+/// A fault of the vehicle in [10, latest] s: slow flight, an aborted task, a broken device, or a
+/// loss of energy.
 std::string draw_fault(Random& random, const std::string& uav, const DrawDevice& device,
                        double latest);
 
-/// The same of a vehicle of COMETS, by the devices of its model.
+/// The same for a vehicle of COMETS, with the devices of its model.
 std::string draw_fault(Random& random, const Member& uav, double latest);
 
 /// The radio between two nodes is cut, from [10, latest] s on.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws missions.
+// Random generation of missions.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace skein::mission_lab {
 
-/// What may be drawn.
+/// The kinds of content that may be drawn.
 struct Kinds {
   bool faults = true;     ///< slow, aborted, dead sensors, less energy than believed
   bool air = true;        ///< closed air: from the start, and while they fly, around them too
@@ -18,22 +18,23 @@ struct Kinds {
   bool degrees = true;    ///< autonomy degrees change and come back
   bool radio = true;      ///< cuts
   bool energy = true;     ///< starts with little of it
-  bool alarms = true;     ///< something burns, and missions name the alarm
-  bool questions = true;  ///< it is asked what a mission would take, and then it is given
-  bool deaths = false;    ///< daemons die and come back; functional layers at times with nothing
-  bool joint = true;      ///< two UAVs that can do so watch a place together
-  bool merged = true;     ///< UAVs whose ways cross merge them
-  /// How UAVs that meet keep their plans consistent in time: `planning: consistency:` of scenarios.
+  bool alarms = true;     ///< fires, and missions that refer to the alarm
+  bool questions = true;  ///< a mission is first evaluated, and then given
+  bool deaths = false;  ///< daemons are killed and restart; functional layers may lose their state
+  bool joint = true;    ///< joint tasks of two UAVs that observe a place
+  bool merged = true;   ///< UAVs with crossing paths use plan merging
+  /// Algorithm of temporal consistency between UAVs that meet: `planning: consistency:` of
+  /// scenarios.
   std::string_view consistency = "dip-m";
   bool gatherings = false;  ///< among their meetings a joint task of two of them
   bool orders = false;      ///< they fly at one height, and merge their ways
   bool sweeps = false;      ///< of UAVs whose ways cross some map or search what lies in the middle
 };
-/// Nothing goes wrong, and what is asked is possible.
+/// Missions without faults, in which all requests are possible.
 inline constexpr Kinds kClean{false, false, false, false, false, false,
                               false, true,  true,  false, true,  true};
 
-/// One seed and the same kinds give one mission.
+/// Draws a mission; deterministic for a seed and kinds.
 Mission generate(std::uint64_t seed, const Kinds& kinds);
 /// Likewise a team at degree 5 that is given a global mission; of the kinds, radio, deaths, degrees
 /// and faults count.

@@ -23,7 +23,7 @@ struct Step {
   std::string uav;
   int mission = 0;
   std::string placement;  ///< "first, interrupt: true"; empty: the default
-  bool evaluate = false;  ///< it is only asked what it would take
+  bool evaluate = false;  ///< the mission is only evaluated, not executed
   std::vector<Task> tasks;
   std::string action;  ///< if there are no tasks: "cancel: {…}"
 };
@@ -66,8 +66,8 @@ struct Mission {
 /// The scenario's text. `scenarios`: the path from where it will stand to the folder scenarios/.
 std::string to_yaml(const Mission& mission, const std::string& scenarios);
 
-/// The mission with one part less, in every way there is: steps, tasks, faults, cuts, volumes,
-/// UAVs. Some of them make no sense: a trigger may wait for what is gone.
+/// All missions with one part (step, task, fault, cut, volume, UAV) less. Some are not meaningful:
+/// a trigger may wait for a removed part.
 std::vector<Mission> smaller(const Mission& mission);
 
 }  // namespace skein::mission_lab

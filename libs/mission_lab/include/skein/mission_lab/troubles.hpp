@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws what goes wrong in a mission that somebody else wrote.
+// Draws faults and radio cuts for a given mission.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace skein::mission_lab {
 
-/// Whom things may happen to, and how long.
+/// The vehicles and daemons that faults may affect, and the duration of the mission.
 struct Stage {
   struct Vehicle {
     std::string name;
@@ -17,17 +17,17 @@ struct Stage {
   };
   std::vector<Vehicle> vehicles;     ///< at least one
   std::vector<std::string> daemons;  ///< that may die; the ground station, "sim", UAVs, …
-  double until = 600;                ///< [s] it lasts when nothing goes wrong
+  double until = 600;                ///< duration of the mission without faults [s]
 };
 
-/// In the words of a scenario file.
+/// Faults and radio properties in the format of scenario files.
 struct Troubles {
   std::vector<std::string> faults;  ///< "{at: 100, kill: sim, restart_after: 5}"
   std::vector<std::string> cuts;    ///< "{between: [marvin, ground], from: 10, until: 40}"
   std::optional<double> loss;       ///< of samples of streams, (0, 0.3]
 };
 
-/// At least one. One seed and one stage give the same.
+/// Draws at least one fault or cut. Deterministic for a seed and a stage.
 Troubles draw_troubles(std::uint64_t seed, const Stage& stage);
 
 }  // namespace skein::mission_lab
