@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all browsers are told: the last of each value, and events, in one order.
+// The data for all browsers: the last of each value, and events, in one order.
 #pragma once
 
 #include <cstddef>
@@ -9,23 +9,22 @@
 
 namespace skein::console {
 
-/// Every reader has a cursor and nothing else: a slow one misses what was replaced meanwhile, and
-/// is told when events were thrown away before it came to them. Not safe to share between threads.
-/// Cost: O(log) for what is put, linear in what is taken.
+/// The only state of a reader is its cursor: a slow reader misses values that were replaced
+/// meanwhile, and is told if events were dropped before it read them. Not safe to share between
+/// threads. Cost: O(log) per entry put, linear in the entries taken.
 class Feed {
  public:
   /// The value under a key replaces the one before. `json`: one line.
   void set(const std::string& key, std::string json);
-  /// Kept until there are more than kEvents, or kEventBytes of them.
+  /// Adds an event; the oldest are dropped beyond kEvents events or kEventBytes.
   void add(std::string json);
 
-  /// Forgets all values and events; readers are told the line that says so, and what is put after
-  /// it.
+  /// Drops all values and events; readers get the given line, and then the new entries.
   void begin_again(std::string json);
 
   bool has_news(std::uint64_t cursor) const { return version_ > cursor; }
-  /// What came after the cursor, oldest first, as server-sent events, until it is at least `most`
-  /// bytes; the cursor moves on.
+  /// The entries after the cursor, oldest first, as server-sent events, until they have at least
+  /// `most` bytes; advances the cursor.
   std::string take(std::uint64_t& cursor, std::size_t most) const;
 
  private:

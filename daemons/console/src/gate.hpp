@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who may ask the console what.
+// Access control of the console.
 #pragma once
 
 #include <cstdint>
@@ -9,26 +9,27 @@
 
 namespace skein::console {
 
-/// A request's first lines.
+/// Request line and headers of a request.
 struct Asked {
   std::string method, path, host, origin, content_type, cookie, authorization;
-  bool chunked = false;  ///< its length is not said beforehand
+  bool chunked = false;  ///< the length of the body is not declared
   std::uint64_t content_length = 0;
 };
 
 struct Verdict {
-  unsigned status = 0;  ///< of HTTP; 0: it may go on
+  unsigned status = 0;  ///< HTTP status of the refusal; 0: admitted
   std::string why;
   bool passes() const { return status == 0; }
 };
 
 /// Rules, in this order:
-/// - Host is an address, localhost or a name that was configured, with this port: a page of another
-///   name that was made to lead here (DNS rebinding) is refused, static files too;
-/// - Origin, if there is one, is this host: a page from elsewhere cannot ask;
-/// - what is written is written as JSON, of a length said beforehand, not beyond most_bytes();
-/// - with a token: all but static files and the exchange of the token need it, by cookie or as
-///   bearer; without one, a POST needs an Origin, or the header Authorization that no form sends.
+/// - Host must be an address, localhost or a configured name, with this port: requests through a
+///   foreign name (DNS rebinding) are refused, also for static files;
+/// - Origin, if present, must be this host: pages of other sites are refused;
+/// - bodies must be JSON, with a declared length of at most most_bytes();
+/// - with a token: everything except static files and the exchange of the token needs it, by cookie
+///   or as bearer; without one, a POST needs an Origin, or the header Authorization, which no form
+///   sends.
 class Gate {
  public:
   /// `token` empty: none is needed.
@@ -37,7 +38,7 @@ class Gate {
   Verdict judge(const Asked& asked) const;
   bool is_token(std::string_view text) const;
   bool needs_token() const { return !token_.empty(); }
-  /// Cookies do not tell ports apart: this one's name does.
+  /// Name of the cookie; it contains the port, since cookies do not distinguish ports.
   std::string cookie_name() const { return "skein-" + std::to_string(port_); }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page needs to know of the past: who opens it late sees what the others see.
+// History for the page, so that a page opened late shows the same as others.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,9 @@
 
 namespace skein::console {
 
-/// Puts samples and records into the feed: the last of each value, where each UAV has flown, in
-/// what states each task was and when. Bounded: kTrail points a UAV; states of tasks are events.
+/// Puts samples and records into the feed: the last of each value, the trail of each UAV, the
+/// states of each task with their times. Bounded: kTrail points per UAV; states of tasks are
+/// events.
 class History {
  public:
   static constexpr std::size_t kTrail = 600;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What browsers may use at most.
+// Limits on the resources that browsers may use.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ inline constexpr std::size_t kStreams = 32;
 inline constexpr std::size_t kRequestBytes = 65'536;
 inline constexpr std::string_view kAnnexPaths = "/api/designer/";
 inline constexpr std::size_t kAnnexBytes = 1'048'576;  ///< of one request there: texts of models
-/// Of the body of a request.
+/// Largest body of a request [byte].
 constexpr std::size_t most_bytes(std::string_view path) {
   return path.starts_with(kAnnexPaths) ? kAnnexBytes : kRequestBytes;
 }

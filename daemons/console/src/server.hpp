@@ -52,7 +52,7 @@ class Server {
   Server& operator=(const Server&) = delete;
 
   std::uint16_t port() const { return port_; }
-  /// There is something new in the feed: streams that wait go on.
+  /// Notifies waiting streams of new entries in the feed.
   void news();
 
   struct Stream;

@@ -10,11 +10,11 @@
 
 namespace skein::daemon_main {
 
-/// All see everything; what they say is said in the name of the first, in their order. So only
-/// companions that speak in one name go together.
+/// Forwards everything to all companions; their samples are published in the name of the first, in
+/// their order. So only companions with the same name can be combined.
 class Companions final : public node::Companion {
  public:
-  /// Null: nobody.
+  /// Adds a companion; null is ignored.
   void add(std::unique_ptr<node::Companion> companion);
   bool empty() const { return all_.empty(); }
 

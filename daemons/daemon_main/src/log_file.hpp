@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The event log of a node as a file of its machine.
+// The event log of a node as a local file.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace skein::daemon_main {
 
-/// Lines at the end of a file, each in the hands of the system when append() returns, so that what
-/// ends the process loses none. A line that found no room is lost, as a whole: the file goes on
-/// with a whole line. Thread rule: one thread.
+/// Appends lines to a file. Each has been passed to the operating system when append() returns, so
+/// no line is lost if the process ends. A line that could not be written completely (disk full) is
+/// lost as a whole, and the next one begins on a new line. Thread rule: one thread.
 class LogFile {
  public:
-  /// Makes the file, or goes on at its end. The failure names it and says why not.
+  /// Creates the file, or opens it for appending. The failure has the path and the reason.
   static Result<LogFile, Failure> open(const std::string& path);
   LogFile(LogFile&& other) noexcept;
   LogFile& operator=(LogFile&& other) noexcept;
   ~LogFile();
 
-  /// Without its end of line. What may be told of how it went, once for each change: why lines are
-  /// lost from now on, or that they are not any more and how many were; else empty.
+  /// Appends a line, given without its end of line. Returns a notice when the state changes: the
+  /// reason why lines are lost from now on, or the number of lost lines after recovery; else empty.
   std::string append(std::string_view line);
 
  private:
@@ -31,7 +31,7 @@ class LogFile {
 
   std::string path_;
   int file_ = -1;
-  bool torn_ = false;  ///< it ends within a line
+  bool torn_ = false;  ///< the file ends within a line
   std::size_t lost_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options that all daemons take.
+// Options common to all daemons.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,29 +14,29 @@
 namespace skein::daemon_main {
 
 struct Options {
-  std::string config;  ///< file with the others; empty: none
+  std::string config;  ///< file with further options; empty: none
   bool show_config = false;
   bool show_rights = false;
   std::string manual;  ///< to print instead of running: "man", or the name of a shell
   std::string scenario;
-  std::string node;  ///< empty: that of the program
+  std::string node;  ///< empty: the default node of the program
   std::uint32_t domain = 0;
   blackboard::NetworkConfig network;
   scenario_setup::Overrides overrides;
-  std::string state;   ///< empty: nothing outlives the process
-  std::string log_to;  ///< file of its event log; empty: none
-  bool world = true;   ///< whether it takes part in the world channel
+  std::string state;   ///< folder of persistent state; empty: none
+  std::string log_to;  ///< file of the event log; empty: none
+  bool world = true;   ///< whether the node takes part in the world channel
   std::string log_level = "info";
   bool log_json = false;
-  bool forgets = false;  ///< of what is there it takes only where its vehicles are
-  int parent = 0;        ///< process that it must not outlive; 0: none
+  bool forgets = false;  ///< restores only the positions of its vehicles from the persistent state
+  int parent = 0;        ///< process id with which the daemon has to end; 0: none
 };
 
 /// Declares all of them at a program's command line, writing to `options`.
 void declare(CLI::App& app, Options& options, const DaemonProgram& program);
 
-/// Fills what the command line left open from environment and file. Every problem, also what is
-/// required and was nowhere; `shown` gets the text of --show-config.
+/// Completes the options from environment and file. Returns all problems, including missing
+/// required options; `shown` gets the text of --show-config.
 Diagnostics complete(CLI::App& app, Options& options, const DaemonProgram& program,
                      std::string& shown);
 

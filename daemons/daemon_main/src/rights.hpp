@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each node may do on the wire, for scripts/make-keys.
+// Access rights of each node to DDS topics, for scripts/make-keys.
 #pragma once
 
 #include <string>

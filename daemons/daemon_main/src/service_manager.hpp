@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a daemon tells the service manager that started it (systemd: Type=notify, WatchdogSec).
+// Notifications to the service manager of a daemon (systemd: Type=notify, WatchdogSec).
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace skein::daemon_main {
 
-/// Says that the daemon is ready at its first turn, what it does whenever that changes, that it
-/// lives twice in every watchdog interval, and at the end that it stops. Says nothing to anybody
-/// when no service manager listens (NOTIFY_SOCKET is not set).
+/// Sends READY at the first turn, STATUS whenever it changes, WATCHDOG twice in every watchdog
+/// interval, and STOPPING at the end. Sends nothing without a service manager (NOTIFY_SOCKET not
+/// set).
 class ServiceManager {
  public:
   ServiceManager();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the values of a program's options come from: command line, environment, file, default.
+// Option values of a program from command line, environment, file, or default.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,17 +17,17 @@ namespace skein::daemon_main {
 /// The value of a variable of the environment; null if it is not set.
 using Environment = std::function<const char*(const char* name)>;
 
-/// Completes the options of a program whose command line was parsed: what that left open is taken
-/// from the environment (`--log-level` from SKEIN_LOG_LEVEL; an empty variable is as good as none),
-/// then from a YAML file (`log-level: info`; lists as lists), and else keeps its default. Options
-/// of the program itself (`--help`) are exempted.
+/// Completes the options of a program after its command line was parsed: an option that was not
+/// given is taken from the environment (`--log-level` from SKEIN_LOG_LEVEL; an empty variable
+/// counts as unset), then from a YAML file (`log-level: info`; lists as lists), else keeps its
+/// default. Options that only the command line has (`--help`) are exempted.
 class Settings {
  public:
-  /// The app must outlive it. `own`: long names of options that are of the command line only.
+  /// The app must outlive this object. `own`: long names of options that only the command line has.
   Settings(CLI::App& app, std::vector<std::string> own);
 
-  /// Every value that an option does not take and every key that no option has, each with the
-  /// variable or the place in the file. An empty path: no file.
+  /// Completes the options. Returns invalid values and unknown keys, each with the variable or the
+  /// position in the file. An empty path: no file.
   Diagnostics complete(const Environment& environment, const std::string& file);
 
   /// Every option with its value and where that came from; itself a file that complete() reads.

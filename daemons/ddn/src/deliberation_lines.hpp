@@ -14,10 +14,10 @@ namespace skein::ddn {
 // The writer is the UAV that the line is about.
 
 journal::Record plan_line(const translation::Writer& writer, const mission::PlanReport& report);
-/// One task of the plan of that revision, as it is sent and as it is planned.
+/// The record (kind planned) of one task of a plan revision.
 journal::Record planned_line(const translation::Writer& writer, std::uint64_t revision,
                              const wire::PlanEntry& task, const executive::Parameters& parameters);
-/// What became of a mission, or what it would cost: kind answer.
+/// The outcome of a mission, or its evaluation: kind answer.
 journal::Record outcome_line(const translation::Writer& writer,
                              const mission::MissionOutcome& outcome);
 journal::Record goal_line(const translation::Writer& writer, const mission::GoalStatus& goal);

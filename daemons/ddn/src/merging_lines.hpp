@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of the event log about air that is waited for and had (docs/journal.md).
+// Lines of the event log about reservations of air (docs/journal.md).
 #pragma once
 
 #include "skein/decision_node/messages.hpp"

@@ -10,19 +10,19 @@
 
 namespace skein::ddn {
 
-/// Who a sample comes from.
+/// The role of a sample's sender.
 struct Sender {
   std::string name;
   bool ground = false;      ///< the ground station
   bool functional = false;  ///< this UAV's functional layer
 };
 
-/// Why a sample is not taken from its sender; empty: it is. Every node of the radio can write to
-/// this one; who commands it and who tells of its vehicle is fixed, and what other UAVs tell of
-/// themselves they tell themselves.
+/// The reason for refusing a sample of this sender; empty: accepted. Every node on the radio can
+/// write to this one, but only the ground station may command it, only the functional layer may
+/// report its vehicle, and other UAVs may report only about themselves.
 std::string why_not(const wire::Sample& sample, const Sender& sender);
 
-/// Absent for slots that a decision node does not read.
+/// The input for a sample; absent for slots that a decision node does not read.
 std::optional<decision_node::Input> input_of(const wire::Sample& sample, const Sender& sender);
 
 }  // namespace skein::ddn

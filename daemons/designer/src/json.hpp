@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values and edits of YAML as the page says them.
+// YAML values and edits in the JSON format of the page.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a spatial constraint model holds, for a picture.
+// The region in which a spatial constraint model holds, as a raster for a picture.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of the event log for what the ground station only tells (docs/journal.md).
+// Event log lines for effects of the ground station that are only reported (docs/journal.md).
 #pragma once
 
 #include "skein/ground_station/ground_control.hpp"

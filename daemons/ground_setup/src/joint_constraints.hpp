@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which spatial constraints hold where in the scenario's interaction models, for the map.
+// The spatial constraints of the scenario's interaction models by role and block, for the map.
 #pragma once
 
 #include <nlohmann/json.hpp>

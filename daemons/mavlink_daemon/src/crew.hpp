@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The node of skein-mavlink, once its vehicle is there.
+// Makes the node of skein-mavlink once its vehicle is connected.
 #pragma once
 
 #include "skein/daemon_main/daemon_main.hpp"
@@ -7,8 +7,8 @@
 
 namespace skein::mavlink_daemon {
 
-/// Opens the link and waits, without limit, until the autopilot says where the vehicle is; what
-/// happens meanwhile it says on standard error. The failure says what is wrong with the input.
+/// Opens the link and waits, without limit, until the autopilot reports the vehicle's position;
+/// progress goes to standard error. The failure describes the error in the input.
 Result<daemon_main::Crew, Failure> crew_of(const scenario::Scenario& scenario,
                                            const std::string& uav,
                                            const mavlink_node::Settings& settings);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a scenario to all the nodes that play it, the same for both runtimes. Daemons, which run one
-// node each, do without this library.
+// Makes all nodes of a scenario, the same for both runtimes. Daemons, which run one node each, do
+// not use this library.
 #pragma once
 
 #include <memory>
@@ -17,16 +17,16 @@ namespace skein::assembly {
 /// is one of these.
 std::unique_ptr<node::Node> make_node(const scenario::Scenario& scenario, const std::string& name);
 
-/// What the reader of a scenario cannot see because it only shows when the parts meet (a start
-/// outside the terrain, a cut between unknown nodes, a planning domain with errors): every problem
-/// at once. Missions that make no sense are none: a UAV refuses them in flight.
+/// Checks of a scenario across its parts, beyond those of its reader (a start outside the terrain,
+/// a cut between unknown nodes, a planning domain with errors): all problems at once. Impossible
+/// missions are no problem: a UAV refuses them in flight.
 Diagnostics check_assembly(const scenario::Scenario& scenario);
 
 /// Reads a scenario file, applies the overrides and checks that its parts fit together.
 Result<scenario::Scenario, Diagnostics> load_scenario(const std::string& path,
                                                       const scenario_setup::Overrides& overrides);
 
-/// How the virtual runtime plays the scenario.
+/// Configuration of the virtual runtime for the scenario.
 node::VirtualConfig virtual_config(const scenario::Scenario& scenario);
 
 }  // namespace skein::assembly

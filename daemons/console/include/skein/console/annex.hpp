@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Something that the page can do beside what is about the mission.
+// Extension of the page's server beyond the mission (the designer).
 #pragma once
 
 #include <string>
 
 namespace skein::console {
 
-/// What is said to a request.
+/// An answer to a request.
 struct Answer {
   unsigned status = 200;  ///< of HTTP
   std::string json;
 };
 
-/// Answers what is asked below "/api/designer/", once the gate has let it pass. Thread rule: called
-/// from the server's thread, one request after the other; while it reckons nothing else is served.
+/// Answers requests below "/api/designer/" that the gate has admitted. Thread rule: called from the
+/// server's thread, one request after the other; nothing else is served meanwhile.
 class Annex {
  public:
   Annex() = default;

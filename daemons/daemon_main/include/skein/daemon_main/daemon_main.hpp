@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the daemons' mains share: options, scenario, logging, running.
+// Common main program of the daemons: options, scenario, logging, running.
 #pragma once
 
 #include <functional>
@@ -20,30 +20,30 @@ class App;
 
 namespace skein::daemon_main {
 
-/// An option that one program has beside those of all; like those, from the command line, the
-/// environment or a file.
+/// An additional option of one program; like the common ones from the command line, the environment
+/// or a file.
 struct OwnOption {
   std::string name;  ///< "--connect"
   std::string help;
-  std::string* value;  ///< what it holds is the default; outlives the run
+  std::string* value;  ///< initially the default; must outlive the run
 };
 
-/// The node of a program that makes it itself.
+/// A node made by the program itself (DaemonProgram::crew), with its companion.
 struct Crew {
   std::string name;  ///< of the node in the roster
   std::unique_ptr<node::Node> node;
   std::unique_ptr<node::Companion> companion;  ///< may be null
 };
 
-/// What a program is started with, for those who open something beside its node.
+/// Start-up information of a program, for companion sources.
 struct Surroundings {
   std::string scenario_file;
   const scenario::Scenario& scenario;
   const blackboard::NetworkConfig& network;
 };
 
-/// Somebody beside the node of a program (a page for operators, a station of others), with options
-/// of its own that, like those of all, come from the command line, the environment or a file.
+/// Factory of a companion of a program's node (operators' page, foreign ground station), with its
+/// own options, which like the common ones come from the command line, the environment or a file.
 class CompanionSource {
  public:
   struct Opened {
@@ -53,7 +53,8 @@ class CompanionSource {
 
   virtual ~CompanionSource() = default;
   virtual void declare(CLI::App& app) = 0;
-  /// No companion: it was not asked for. The failure names the option that is wrong.
+  /// Opens the companion; none if its options do not ask for one. The failure names the wrong
+  /// option.
   virtual Result<Opened, Failure> open(const Surroundings& surroundings) = 0;
 };
 
@@ -61,16 +62,17 @@ struct DaemonProgram {
   std::string name;         ///< "skein-ddn"
   std::string description;  ///< one line for --help
   std::string node;         ///< the node it runs: "ground", "sim"; empty: the UAV given by --uav
-  bool plays_vehicles = false;  ///< it may be a functional layer of the scenario, by --node
+  bool plays_vehicles = false;  ///< the program can run a functional layer of the scenario (--node)
   std::vector<OwnOption> options = {};
-  /// What its node would find wrong with the scenario: every problem at once.
+  /// Checks the scenario for the node; returns all problems at once.
   std::function<Diagnostics(const scenario::Scenario&)> check = {};
-  /// Makes the node of this name; called again for one to try on what --state has kept.
+  /// Makes the node of this name; called a second time for a node that replays the inputs in
+  /// --state.
   std::function<std::unique_ptr<node::Node>(const scenario::Scenario&, const std::string& name)>
       make = {};
   std::vector<CompanionSource*> companions = {};  ///< outlive the run
-  /// In place of `make`: makes the node of a UAV, which keeps no memory; the failure says what is
-  /// wrong with the input.
+  /// Instead of `make`: makes the node of a UAV, without persistent state; the failure describes
+  /// the error in the input.
   std::function<Result<Crew, Failure>(const scenario::Scenario&, const std::string& uav)> crew = {};
 };
 

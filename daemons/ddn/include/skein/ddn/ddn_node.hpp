@@ -20,12 +20,12 @@ namespace skein::ddn {
 
 /// `others` is filled in from the roster.
 struct DdnConfig : decision_node::Config {
-  Duration deliberation = Duration::seconds(10);  ///< for one plan, where there is a clock
+  Duration deliberation = Duration::seconds(10);  ///< time limit of one plan, with a real clock
 };
 
-/// Samples and records around DecisionNode, which decides. Requests are taken from the ground and
-/// statuses from the UAV's functional layer only: what comes from elsewhere is logged once per
-/// sender and slot and dropped. Source: T II.2, spec 1.2.
+/// Adapter between samples and records and DecisionNode, which decides. Accepts requests only from
+/// the ground station and statuses only from the UAV's functional layer; other samples are dropped,
+/// with one record per sender and slot. Source: T II.2, spec 1.2.
 class DdnNode final : public node::Node {
  public:
   DdnNode(DdnConfig config, node::Roster roster);
@@ -36,7 +36,7 @@ class DdnNode final : public node::Node {
  private:
   std::optional<decision_node::Input> input_of(const node::Input& input);
   void drop(const node::Received& received, const std::string& why);
-  /// Another UAV that is in reach is told the degree of this one.
+  /// Sends this UAV's degree to another one that has come into reach.
   void note_reach(const node::Reachability& reach);
 
   // to the ground station

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which looks that found something go to the ground station as events.
+// Rate limit for detections that are sent to the ground station as events.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace skein::ddn {
 
-/// Of each device twenty looks at once, then one each five seconds. An alarm rests on its first
-/// looks; a fire that is watched for an hour is seen again by the next, and would fill a slow
-/// channel.
+/// Token bucket per device: twenty perceptions at once, then one every five seconds. An alarm
+/// depends on the first perceptions; a fire watched for an hour is perceived again and again, and
+/// would fill a slow channel.
 class SightingBudget {
  public:
   static constexpr std::int64_t kAtOnce = 20;
   static constexpr Duration kEach = Duration::milliseconds(5'000);
 
-  /// Whether this look may be an event; then it is counted. `now` must not go back.
+  /// Whether this perception may be an event; if so it is counted. `now` must not decrease.
   bool take(const std::string& device, MissionTime now);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the nodes of a scenario know for deliberation: world, planning domain, what each UAV is.
+// Knowledge of a scenario's nodes for deliberation: world, planning domain, UAVs.
 #pragma once
 
 #include <memory>
@@ -12,24 +12,25 @@
 
 namespace skein::deliberation_setup {
 
-/// The world as refiners are told of it at the start, or why there is none.
+/// The initial world model of the refiners, or its errors.
 /// Precondition: the scenario has planning. Cost: the airspace's grid and the ground's state.
 Result<world::World, Diagnostics> world_of(const scenario::Scenario& scenario);
 
-/// What may be asked of UAVs, or every error of the planning domain with its file and line.
+/// The high-level tasks of the planning domain, or all its errors with file and line.
 /// Precondition: the scenario has planning.
 Result<mission::Vocabulary, Diagnostics> vocabulary_of(const scenario::Scenario& scenario);
 
-/// What the UAV's deliberation knows. Precondition: the scenario has planning, its domain no error.
+/// The knowledge of a UAV's deliberation. Precondition: the scenario has planning, and its domain
+/// has no errors.
 supervisor::Knowledge knowledge_of(const scenario::Scenario& scenario,
                                    const scenario::UavSpec& uav);
 
-/// Every reason why nobody can plan in the scenario: errors of the domain, an airspace without
-/// extent or of too many voxels, a UAV at degree 4 where nothing is said of planning.
+/// All problems of planning in the scenario: errors of the domain, an airspace without extent or
+/// with too many voxels, a UAV at degree 4 in a scenario without planning.
 Diagnostics planning_problems(const scenario::Scenario& scenario);
 
-/// Every reason why members of a joint task of the script cannot take part: no such UAV, the UAV
-/// that is asked not among them, a degree that does not deliberate.
+/// All problems of the members of joint tasks in the script: an unknown UAV, the addressed UAV not
+/// among the members, a degree without deliberation.
 Diagnostics joint_task_problems(const scenario::Scenario& scenario);
 
 }  // namespace skein::deliberation_setup

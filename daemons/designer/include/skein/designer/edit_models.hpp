@@ -14,8 +14,8 @@ struct EditOptions {
   std::uint16_t port = 0;  ///< of the loopback interface; 0: any that is free
 };
 
-/// Serves the page until it is interrupted; says its address. Exit codes: 0 interrupted, 2 a file
-/// that is there cannot be read, 3 the port is taken.
+/// Serves the page until interrupted, and prints its address. Exit codes: 0 interrupted, 2 an
+/// existing file cannot be read, 3 the port is taken.
 int edit_models(const EditOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace skein::designer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ground station as the third of any two UAVs that merge their ways.
+// The ground station as witness of plan merging.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,14 @@
 
 namespace skein::ground {
 
-/// Answers UAVs that ask for air (merging::Witness), so that none waits for another that is dead,
-/// late or cut off. Source: docs/decisions/0052-two-of-three.md.
+/// Answers requests of UAVs for air (merging::Witness), so that no UAV waits for another that is
+/// dead, late or cut off. Source: docs/decisions/0052-two-of-three.md.
 class AirDesk {
  public:
-  /// `roster` outlives it. Without members nothing is done with what comes.
+  /// `roster` outlives this object. Without members all inputs are ignored.
   AirDesk(const node::Roster& roster, const std::vector<std::string>& members);
 
-  /// Nothing: what came is not for it, or not for it alone.
+  /// Handles an input. Nothing: the input is not for plan merging, or others need it too.
   std::optional<node::Effects> hear(const node::Input& input, MissionTime now);
 
  private:

@@ -21,21 +21,22 @@
 
 namespace skein::ground {
 
-/// Samples and records around GroundControl (the CDN: MPS, MCS, PPS). What comes in goes through
-/// the Inbox. Operators are told on the world channel: boards, and answers to their requests.
+/// Adapter between samples and records and GroundControl (the CDN: MPS, MCS, PPS). Incoming samples
+/// go through the Inbox. Operators get boards and answers to their requests on the world channel.
 /// Source: spec 1.1.
 class GroundNode final : public node::Node {
  public:
   using ReadRequest = Inbox::ReadRequest;
 
-  /// Without a reader every request of an operator is refused; `played`: UAVs for which roles can
-  /// be played here.
+  /// Without a reader every request of an operator is refused; `played`: UAVs for which the ground
+  /// station can play roles.
   GroundNode(const ground_station::GroundConfig& config, world::Terrain terrain,
              node::Roster roster, ReadRequest read_request = {},
              std::optional<team::Config> team = std::nullopt,
              std::vector<decision_node::Config> played = {});
 
-  /// It is the third of any two of these UAVs, which merge their ways. Before its first input.
+  /// Makes the node the witness of plan merging for these UAVs. Precondition: before the first
+  /// input.
   void witness(const std::vector<std::string>& merging) { air_.emplace(roster_, merging); }
 
   node::Effects handle(const node::Input& input, MissionTime now) override;
@@ -90,10 +91,10 @@ class GroundNode final : public node::Node {
   Inbox inbox_;
   ground_station::GroundControl control_;
   std::optional<ground_station::TeamDesk> team_;
-  std::set<std::string> out_of_reach_;  ///< nothing of the team is said to them
+  std::set<std::string> out_of_reach_;  ///< team messages are not sent to them
   PlayedRoles roles_;
   TemporalDesk dates_;
-  std::optional<AirDesk> air_;  ///< absent: nobody merges his way
+  std::optional<AirDesk> air_;  ///< absent: no plan merging
   bool alarms_age_;
   OperatorBoards boards_;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What samples mean to the ground station.
+// Conversion of samples to inputs of the ground station.
 #pragma once
 
 #include <cstdint>
@@ -19,33 +19,34 @@
 
 namespace skein::ground {
 
-/// Makes inputs of GroundControl of what comes to the node. What does not come from the decision
-/// node of a UAV, answers another UAV's command, or makes no sense, is refused, which is said once
-/// for each sender and slot. Thread rule: one thread. Cost: that of the sample.
+/// Converts received samples to inputs of GroundControl. Refuses samples that are not from the
+/// decision node of a UAV, that answer another UAV's command, or that are invalid, with one record
+/// per sender and slot. Thread rule: one thread. Cost: linear in the sample.
 /// Source: spec 1.1, 1.3.
 class Inbox {
  public:
   using Input = ground_station::GroundControl::Input;
-  /// What an operator asks in a text, or every reason why that says nothing of sense.
+  /// Parses a request of an operator; all errors at once.
   using ReadRequest =
       std::function<Result<std::vector<ground_station::OperatorDeed>, std::vector<std::string>>(
           const std::string& text)>;
 
-  /// Without a reader every request of an operator is refused. The roster must outlive this.
+  /// Without a reader every request of an operator is refused. The roster must outlive this object.
   Inbox(const node::Roster& roster, ReadRequest read_request);
 
   struct Read {
-    std::optional<Input> input;              ///< absent: it is nothing for GroundControl
+    std::optional<Input> input;              ///< absent: the sample is not for GroundControl
     std::optional<journal::Record> refusal;  ///< for the event log
   };
   Read read(const node::Input& input, MissionTime now);
 
-  /// The line for the event log about a sample that makes no sense; absent: said already.
+  /// The event log record about an invalid sample; absent: already reported.
   std::optional<journal::Record> refuse(const node::Received& received,
                                         const wire::Violation& violation, MissionTime now);
   static constexpr std::size_t kAddressees = 1024;
 
-  /// Only this node answers that command from now on, until kAddressees more were sent.
+  /// Records the addressee of a command: answers of other nodes to it are refused, until
+  /// kAddressees further commands were sent.
   void sent(std::uint64_t command, node::NodeNumber addressee);
   bool is_uav(node::NodeNumber number) const;
 
@@ -56,7 +57,7 @@ class Inbox {
 
   const node::Roster& roster_;
   ReadRequest read_request_;
-  /// Of the last commands, by number; whoever answers an older one, nobody waits for it.
+  /// Addressees of the last commands, by number; no one waits for answers to older ones.
   std::map<std::uint64_t, node::NodeNumber> addressees_;
   Tally<std::pair<node::NodeNumber, wire::Slot>> refused_{256};
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the ground station tells operators of what it knows.
+// Boards: the state of the ground station, as published to operators.
 #pragma once
 
 #include <map>
@@ -15,30 +15,31 @@
 
 namespace skein::ground {
 
-/// The boards that have changed since they were last told, not more often than each kPeriod, and
-/// not at all while nothing happens.
+/// Publishes the boards that have changed since they were last sent, at most once per kPeriod, and
+/// none while nothing happens.
 class OperatorBoards {
  public:
   static constexpr Duration kPeriod = Duration::milliseconds(500);
-  /// Of a UAV's tasks that are over; the others are all told.
+  /// Most finished tasks in a UAV's board; all others are included.
   static constexpr std::size_t kTasksOver = 40;
 
-  /// `something`: an input came that may have changed a board; `tasks`: it may have changed more of
-  /// a UAV than where it is.
+  /// `something`: an input may have changed a board; `tasks`: it may have changed more of a UAV
+  /// than its position.
   void something_happened(bool something, bool tasks) {
     changed_ = changed_ || something;
     tasks_changed_ = tasks_changed_ || (something && tasks);
   }
   std::optional<MissionTime> next_wakeup() const;
   bool is_due(MissionTime now) const;
-  /// `team`: null where the ground station is in none. Precondition: it is due.
+  /// The changed boards. `team`: null if the ground station is in no team. Precondition: boards are
+  /// due.
   std::vector<wire::Sample> news(const ground_station::GroundControl& control,
                                  const ground_station::TeamDesk* team, const node::Roster& roster,
                                  MissionTime now);
-  /// Nobody reads what is told from here on: news() gives nothing, and costs nothing, but what is
-  /// due is due as ever.
+  /// There are no readers from now on: news() returns nothing, at no cost, but boards become due as
+  /// before.
   void go_unread() { unread_ = true; }
-  /// They are read again: all boards, as they are now, if any was due meanwhile.
+  /// There are readers again: returns all current boards, if any was due meanwhile.
   std::vector<wire::Sample> be_read(const ground_station::GroundControl& control,
                                     const ground_station::TeamDesk* team,
                                     const node::Roster& roster);
@@ -57,7 +58,7 @@ class OperatorBoards {
   std::map<std::pair<wire::Slot, std::uint32_t>, wire::Sample> told_;
 };
 
-/// The answer as it goes out.
+/// The answer to an operator as a sample.
 wire::OperatorReply operator_reply(const ground_station::OperatorAnswered& answer);
 
 }  // namespace skein::ground

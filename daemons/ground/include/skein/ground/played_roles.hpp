@@ -14,30 +14,31 @@
 
 namespace skein::ground {
 
-/// One stand-in for each UAV, with samples and records around it. What it says goes to the UAV's
-/// decision node, which passes it on to partners and back: see decision_node/src/interaction/voice.
+/// One stand-in (decision_node::StandIn) for each UAV, with its samples and records. Its messages
+/// go to the UAV's decision node, which forwards them to the partners and their answers back: see
+/// decision_node/src/interaction/voice.
 class PlayedRoles {
  public:
   using Control = ground_station::GroundControl::Input;
-  /// What is to be sent and logged, and what GroundControl is to be told.
+  /// Samples to send, records to log, and inputs for GroundControl.
   struct Outcome {
     node::Effects out;
     std::vector<Control> control;
   };
 
-  /// Of each UAV for which a model lets the ground play some role.
+  /// `uavs`: those for which an interaction model lets the ground station play a role.
   PlayedRoles(std::vector<decision_node::Config> uavs, const node::Roster& roster);
 
-  /// Of a UAV for which nothing can be played nothing follows.
+  /// Passes an input to the stand-in of a UAV; no effect for a UAV without stand-in.
   Outcome tell(const std::string& uav, const decision_node::StandInInput& input, MissionTime now);
-  /// A sample of a decision node: what it passes on of partners, its telemetry, its tasks. Nothing:
-  /// it is for others, or for others too.
+  /// Result of a sample of a decision node (forwarded messages of partners, telemetry, tasks).
+  /// Nothing: the sample is not for played roles, or others need it too.
   struct Heard {
     Outcome outcome;
     bool only_here = false;
   };
   Heard hear(const std::string& uav, const wire::Sample& sample, MissionTime now);
-  /// Instants that have come.
+  /// Handles the timers that are due.
   Outcome time_passes(MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
 

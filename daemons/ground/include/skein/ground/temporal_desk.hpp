@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ground station as the one that says when UAVs come to meet each other.
+// The ground station as supervisor of temporal consistency (CIP).
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@
 
 namespace skein::ground {
 
-/// The supervisor of CIP, where the scenario has it (`planning: {consistency: cip}`): UAVs tell it
-/// the networks of their plans, and it tells each when the others come. Without contact to it a UAV
-/// goes on with what it was told last. Source: M 4.1; spec 5.3.
+/// The supervisor of CIP, if the scenario uses it (`planning: {consistency: cip}`): UAVs send the
+/// networks of their plans, and it sends each UAV the dates of its partners. Without contact to it
+/// a UAV continues with the last dates it received. Source: M 4.1; spec 5.3.
 class TemporalDesk {
  public:
-  /// `roster` outlives it. Not `supervises`: nothing is done with what comes.
+  /// `roster` outlives this object. Not `supervises`: all inputs are ignored.
   TemporalDesk(const node::Roster& roster, bool supervises);
 
-  /// Nothing: what came is not for it, or not for it alone.
+  /// Handles an input. Nothing: the input is not for CIP, or others need it too.
   std::optional<node::Effects> hear(const node::Input& input, MissionTime now);
 
  private:

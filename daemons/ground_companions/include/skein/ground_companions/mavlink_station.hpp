@@ -14,7 +14,7 @@ class MavlinkStation final : public daemon_main::CompanionSource {
   Result<Opened, Failure> open(const daemon_main::Surroundings& surroundings) override;
 
  private:
-  std::string address_;  ///< empty: nobody is told
+  std::string address_;  ///< empty: no telemetry is sent
   double geoid_ = 0;     ///< of the sea over the ellipsoid there [m]
 };
 

@@ -15,7 +15,7 @@ class Ros2Topics final : public daemon_main::CompanionSource {
   Result<Opened, Failure> open(const daemon_main::Surroundings& surroundings) override;
 
  private:
-  std::optional<std::uint32_t> domain_;  ///< ROS_DOMAIN_ID; none: nobody is told
+  std::optional<std::uint32_t> domain_;  ///< ROS_DOMAIN_ID; none: no topics
 };
 
 }  // namespace skein::ground_companions

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was searched and what is believed of it, for the map of the operators' page.
+// The belief map of the searched ground, for the operators' page.
 #pragma once
 
 #include <set>
@@ -13,17 +13,17 @@
 
 namespace skein::ground_setup {
 
-/// A BeliefMap over the grid of page_world(), told row by row as the page reads it. It is reckoned
-/// beside the ground station and decides nothing. Thread rule: one thread.
+/// A BeliefMap over the grid of page_world(), published row by row in the format of the page. For
+/// display only; the ground station does not use it. Thread rule: one thread.
 class BeliefLayer {
  public:
   explicit BeliefLayer(const scenario::Scenario& scenario);
   BeliefLayer(const BeliefLayer&) = delete;
   BeliefLayer& operator=(const BeliefLayer&) = delete;
 
-  /// By key, what is to be shown instead of what was shown under that key: {"belief": {"row": R,
-  /// "cells": TEXT}} with a character for each column, '.' where nobody has looked, from '0' (least
-  /// belief) to '9'; below '4' it is below the prior.
+  /// New values by key, which replace earlier values of the same key: {"belief": {"row": R,
+  /// "cells": TEXT}} with a character for each column: '.' where no sensor has looked, else from
+  /// '0' (least belief) to '9'; below '4' the belief is below the prior.
   std::vector<std::pair<std::string, std::string>> see(const wire::Sample& sample);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a scenario the operators' page shows from the start.
+// The static part of a scenario for the operators' page.
 #pragma once
 
 #include <string>

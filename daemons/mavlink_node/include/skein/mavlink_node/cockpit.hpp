@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bridge on a real link and a real clock.
+// The autopilot bridge on a real link and a real clock.
 #pragma once
 
 #include <memory>
@@ -10,17 +10,17 @@
 
 namespace skein::mavlink_node {
 
-/// What the bridge sends goes to the link, what comes from there to the bridge; the rest is kept
-/// until it is taken. Thread rule: one thread.
+/// Connects the bridge with the link in both directions; other effects of the bridge are kept until
+/// take(). Thread rule: one thread.
 class Cockpit {
  public:
-  /// `rate`: mission seconds per second; 1 but for simulated vehicles that keep up.
+  /// `rate`: mission seconds per second; other than 1 only for simulated vehicles that keep up.
   Cockpit(autopilot::Bridge bridge, std::unique_ptr<Link> link, double rate);
 
   void give(const autopilot::Input& input);
-  /// Takes what has come, and lets time pass.
+  /// Handles received bytes and the passage of time.
   void turn();
-  /// In order, without transmissions.
+  /// Returns and removes the kept effects, in order, without transmissions.
   std::vector<autopilot::Effect> take();
 
   bool is_ready() const { return bridge_.is_ready(); }

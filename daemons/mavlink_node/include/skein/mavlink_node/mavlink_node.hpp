@@ -14,9 +14,9 @@
 
 namespace skein::mavlink_node {
 
-/// Requests and the silence of the decision node go to the cockpit. What that tells comes back from
-/// the companion, as samples in this node's own name, and goes to the UAV, with where the vehicle
-/// is to the world and lines to the event log.
+/// Passes requests, and the loss of the decision node, to the cockpit. The cockpit's effects come
+/// back through LinkCompanion as samples in this node's name; the node sends them to the UAV, and
+/// publishes the vehicle's position on the world channel and event log records.
 class MavlinkNode final : public node::Node {
  public:
   /// `name`: of this node, the functional layer of `uav`; both in the roster.
@@ -24,7 +24,7 @@ class MavlinkNode final : public node::Node {
               std::shared_ptr<Cockpit> cockpit);
 
   node::Effects handle(const node::Input& input, MissionTime now) override;
-  /// Time passes for the cockpit, not here.
+  /// None: time passes in the cockpit.
   std::optional<MissionTime> next_wakeup() const override { return std::nullopt; }
 
  private:
@@ -36,8 +36,8 @@ class MavlinkNode final : public node::Node {
   translation::FunctionalLines lines_;
 };
 
-/// Turns the cockpit whenever something comes over the link, and every 100 ms of mission time; says
-/// to the node what the cockpit tells. Its one thread waits and wakes the daemon, nothing else.
+/// Turns the cockpit whenever data arrives over the link, and every 100 ms of mission time; passes
+/// the cockpit's effects to the node. Its one thread only waits and wakes the daemon.
 class LinkCompanion final : public node::Companion {
  public:
   LinkCompanion(std::string name, std::string uav, std::shared_ptr<Cockpit> cockpit);

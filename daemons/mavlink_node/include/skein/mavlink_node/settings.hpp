@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What skein-mavlink is told, as texts of its command line, environment or file.
+// Settings of skein-mavlink, from texts of its command line, environment or file.
 #pragma once
 
 #include <string>
@@ -18,12 +18,12 @@ struct Settings {
   std::string camera = "1";
 };
 
-/// What the bridge of a UAV is; every reason why there can be none, joined by "; ".
+/// Configuration of the bridge of a UAV; the failure has all errors, joined by "; ".
 Result<autopilot::BridgeConfig, Failure> bridge_config_of(const scenario::Scenario& scenario,
                                                           const std::string& uav,
                                                           const Settings& settings);
 
-/// The node that is the functional layer of the UAV, of it alone; or why there is none.
+/// The node that is the functional layer of this UAV and of no other; or the reason why none is.
 Result<std::string, Failure> layer_of(const scenario::Scenario& scenario, const std::string& uav);
 
 }  // namespace skein::mavlink_node

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a team looks like to a ground station of others, as MAVLink.
+// MAVLink telemetry of a team for foreign ground stations.
 #pragma once
 
 #include <cstdint>
@@ -28,15 +28,15 @@ struct AnnouncerConfig {
   double rate = 1;                ///< mission seconds per second
 };
 
-/// What was heard of a vehicle, in the local frame.
+/// The last telemetry of a vehicle, in the local frame.
 struct Heard {
   std::string name;
-  MissionTime at;  ///< when it was so
+  MissionTime at;  ///< time of the measurement
   world::Vector3 position = world::Vector3::Zero(), velocity = world::Vector3::Zero();
   double heading = 0;  ///< [rad]
   double energy = 0;   ///< share left, in [0, 1]
   bool airborne = false;
-  bool in_trouble = false;  ///< something on board does not work
+  bool in_trouble = false;  ///< a device on board has failed
 };
 
 /// As of syslog.
@@ -45,7 +45,8 @@ enum class Severity : std::uint8_t { kError = 3, kWarning = 4, kInfo = 6, kDebug
 /// Each vehicle is a system of its own. As long as it is heard (3 s, of the mission where that is
 /// slower), once a second: HEARTBEAT, SYS_STATUS, BATTERY_STATUS, EXTENDED_SYS_STATE; and, as they
 /// come, at most five a second: GLOBAL_POSITION_INT and ATTITUDE (heading alone is known: roll and
-/// pitch are 0). Who is not heard any more is silent, which stations show as a lost link. Sans-IO;
+/// pitch are 0). For a vehicle without telemetry nothing is sent, which stations show as a lost
+/// link. Sans-IO;
 /// memory is bounded. Source: mavlink.io, common.xml.
 class Announcer {
  public:
@@ -55,8 +56,8 @@ class Announcer {
 
   /// `now` is steady, here and below. What is older than what was heard before does not count.
   void hear(const Heard& heard, Duration now);
-  /// Words for people (STATUSTEXT), in the name of that vehicle; of nobody in particular: in that
-  /// of the first that is heard. Long ones in pieces; of too many the oldest are dropped.
+  /// Queues a text for people (STATUSTEXT) in the name of a vehicle, or, for other names, of the
+  /// first vehicle with telemetry. Long texts are split; of too many the oldest are dropped.
   void say(const std::string& name, Severity severity, const std::string& text);
 
   /// Frames that are due, each for a datagram.

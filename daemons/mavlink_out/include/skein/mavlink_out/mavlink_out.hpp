@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Telemetry of the team for ground stations of others, from the process of ours.
+// MAVLink telemetry of the team for foreign ground stations, from the process of our ground
+// station.
 #pragma once
 
 #include <map>
@@ -14,13 +15,13 @@
 
 namespace skein::mavlink_out {
 
-/// The vehicles of a scenario where they start, at its rate; or why they cannot be told.
+/// Configuration from the vehicles of a scenario, or the reason why it cannot be made.
 Result<AnnouncerConfig, Failure> announcer_config_of(const scenario::Scenario& scenario,
                                                      double geoid);
 
-/// Tells what comes to the ground station, by MAVLink, and asks it for nothing: what the other
-/// station sends is read and dropped. Alarms, decisions, refusals and what fails on board are said
-/// as texts. Never blocks; what the network does not take is lost.
+/// Sends the telemetry received by the ground station as MAVLink. Output only: messages of the
+/// other station are read and dropped. Alarms, decisions, refusals and failures on board are sent
+/// as texts. Never blocks; data that the network does not accept is lost.
 class MavlinkOut final : public node::Companion {
  public:
   /// `address`: as of skein-mavlink: "udp:ADDRESS:PORT", "udpin:PORT", "serial:DEVICE:BAUD".

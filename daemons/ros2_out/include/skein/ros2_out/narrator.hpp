@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a team looks like to programs of ROS 2.
+// ROS 2 messages about a team.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct NarratorConfig {
   std::uint64_t epoch = 0;       ///< mission time zero [ns since 1970]
 };
 
-/// The topics that are written, without "rt/". `uav` is a token (ros2::token_of).
+/// Names of the published topics, without "rt/". `uav` is a token (ros2::token_of).
 std::string fix_topic(const std::string& uav);
 std::string odometry_topic(const std::string& uav);
 std::string battery_topic(const std::string& uav);
@@ -30,28 +30,28 @@ std::string tasks_topic(const std::string& uav);
 inline constexpr const char* kAlarmsTopic = "skein/alarms";
 inline constexpr const char* kDiagnosticsTopic = "diagnostics";
 inline constexpr const char* kReplyTopic = "skein/reply";
-/// That is read.
+/// The topic that is read.
 inline constexpr const char* kMissionTopic = "skein/mission";
-/// Of the header: the local frame of the scenario, x east, y north, z up [m].
+/// Frame id in headers: the local frame of the scenario, x east, y north, z up [m].
 inline constexpr const char* kFrame = "map";
 
-/// One message and where it goes.
+/// One message and its topic.
 struct Told {
   std::string topic;
   ros2::Message message;
 };
 
-/// As they come: where a UAV is, as a fix and as odometry, and its battery; what became of its
-/// tasks and goals; alarms. All but telemetry is told again each second, since who joins late is
-/// not told of what was before; once a second also how each UAV is, as a diagnostic. Stamps are
-/// the mission's time from its epoch on. Sans-IO; memory is one sample of each kind for each UAV.
+/// Publishes on arrival: the position of a UAV as a fix and as odometry, and its battery; states of
+/// its tasks and goals; alarms. All but telemetry is repeated every second, since late subscribers
+/// get no history; also every second a diagnostic of each UAV. Stamps are mission time from its
+/// epoch on. Sans-IO; memory is one sample of each kind for each UAV.
 class Narrator {
  public:
-  /// Two UAVs that ROS 2 cannot tell apart by their names are a failure.
+  /// Fails if two UAVs have the same ROS 2 token.
   static Result<Narrator, Failure> make(NarratorConfig config);
 
   std::vector<Told> hear(const wire::Sample& sample);
-  /// What is due; `steady` never decreases, `mission` is for stamps.
+  /// Messages that are due; `steady` never decreases, `mission` is for stamps.
   std::vector<Told> turn(Duration steady, MissionTime mission);
 
  private:

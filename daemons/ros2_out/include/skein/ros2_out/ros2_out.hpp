@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The team for programs of ROS 2, from the process of the ground station.
+// ROS 2 topics about the team, from the process of the ground station.
 #pragma once
 
 #include <memory>
@@ -22,14 +22,13 @@ struct Ros2Config {
 
 NarratorConfig narrator_config_of(const scenario::Scenario& scenario);
 
-/// What a text of the topic skein/mission asks for, as the request of an operator: a list of
-/// actions as it is, anything else is a mission.
+/// A text of the topic skein/mission as the request of an operator: a list of actions is taken as
+/// it is, anything else as a mission.
 std::string request_of(const std::string& text);
 
-/// Writes what comes to the ground station and what that publishes to topics of ROS 2, and takes
-/// missions and actions from one, as the operator "ros2". What became of them is told on
-/// skein/reply, as JSON. No ROS is needed: it is DDS, with the names and types that ROS 2 gives
-/// things. Source: ADR 28.
+/// Publishes the inputs and outputs of the ground station on topics of ROS 2, and accepts missions
+/// and actions from one, as the operator "ros2". Replies go to skein/reply, as JSON. Needs no ROS
+/// installation: it uses DDS with the names and types of ROS 2. Source: ADR 28.
 class Ros2Out final : public node::Companion {
  public:
   static Result<std::unique_ptr<Ros2Out>, Failure> open(Ros2Config config);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a command line may change of a scenario.
+// Overrides of a scenario from the command line.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct Overrides {
   std::optional<double> rate;  ///< > 0
   std::optional<std::uint64_t> seed;
   std::vector<std::string> degrees;  ///< "2" for all UAVs, "marvin=1" for one; later ones win
-  /// Whose DDS: "cyclonedds" for all nodes, "marvin=cyclonedds" for one; later ones win. Each
-  /// daemon is told its own, so it is not among as_options().
+  /// DDS vendor: "cyclonedds" for all nodes, "marvin=cyclonedds" for one; later ones win. Each
+  /// daemon gets its own, so as_options() leaves it out.
   std::vector<std::string> dds = {};
   /// The same as options of another program's command line.
   std::vector<std::string> as_options() const;
@@ -27,7 +27,7 @@ struct Overrides {
 /// error at once.
 Diagnostics apply(const Overrides& overrides, scenario::Scenario& scenario);
 
-/// What a node that is to be made finds wrong with the scenario.
+/// A check of the scenario for a node; returns all problems.
 using Check = std::function<Diagnostics(const scenario::Scenario&)>;
 
 /// Reads a scenario file, applies the overrides and checks what came out (no check: none is made).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every daemon takes from a scenario, whichever node it runs.
+// Configuration from a scenario that every daemon needs, whichever node it runs.
 #pragma once
 
 #include <string>
@@ -13,17 +13,18 @@
 
 namespace skein::scenario_setup {
 
-/// How long a partner is taken to wait at a rendezvous; it says so again at half of this.
+/// Validity of a partner's message that it waits at a rendezvous; it is repeated after half of
+/// this.
 inline constexpr Duration kSyncValidity = Duration::milliseconds(30'000);
 
-/// With the scenario's own table of slots, if it has one that is right.
+/// The roster, with the scenario's table of slots, if it has a valid one.
 node::Roster roster_of(const scenario::Scenario& scenario);
 
-/// Those that merge their ways, in the order of the roster: all that fly, if the scenario asks for
-/// it and they are several; else nobody.
+/// The UAVs that use plan merging, in the order of the roster: all that fly, if the scenario asks
+/// for it and there are several; else none.
 std::vector<std::string> merging_uavs(const scenario::Scenario& scenario);
 
-/// What the scenario says of its radio for all of its time.
+/// The radio capacity of the scenario, constant over the mission.
 node::RadioCapacity capacity_of(const scenario::Scenario& scenario);
 
 /// Every channel of which heartbeats alone would take more than half, and what is wrong with the

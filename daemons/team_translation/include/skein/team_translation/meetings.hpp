@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What others need to know of the network of a plan, on the wire.
+// Frontiers of plans: wire to domain and back.
 #pragma once
 
 #include "skein/blackboard/wire.hpp"
@@ -17,7 +17,7 @@ journal::Record frontier_heard(const Writer& writer, const std::string& node,
                                const std::string& from, const std::string& about);
 
 wire::PlanFrontier to_wire(const std::string& uav, const temporal::Frontier& frontier);
-/// Refused with what makes it no frontier.
+/// Refuses an invalid frontier (temporal::fault_of), with the fault.
 Read<temporal::Frontier> from_wire(const wire::PlanFrontier& sample);
 
 }  // namespace skein::translation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a team says to share out its missions: wire to domain and back.
+// Messages of a team that allocates its missions by auction: wire to domain and back.
 #pragma once
 
 #include "skein/auction/ledger.hpp"
@@ -15,7 +15,7 @@ wire::Sample to_wire(const auction::TeamMessage& message);
 /// awards about tasks that are not in their lot. Whether an offer answers what was asked is for the
 /// auctioneer.
 Read<auction::TeamMessage> from_wire(const wire::TeamMessage& sample);
-/// Whose offer it is, is said by who sent it.
+/// The member of an offer is its sender.
 Read<auction::TeamMessage> from_wire(const wire::TeamSale& sample);
 
 }  // namespace skein::translation

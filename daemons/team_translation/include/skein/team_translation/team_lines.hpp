@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records about who has which task of the team, and why (docs/journal.md).
+// Records about the allocation of the team's tasks, with reasons (docs/journal.md).
 #pragma once
 
 #include <vector>
@@ -14,9 +14,9 @@ namespace skein::translation {
 /// is not for people.
 std::vector<journal::Record> sale_lines(const Writer& writer, const auction::SaleEffect& effect,
                                         const team::Roster& roster);
-/// An "owner" record: where a task stands in the team's book.
+/// An "owner" record: state and owners of a task in the team's ledger.
 journal::Record owner_line(const Writer& writer, const team::TaskStanding& standing);
-/// A "token" record: the right to sell is here, or is no more.
+/// A "token" record: this node took or lost the right to sell.
 journal::Record token_line(const Writer& writer, bool held, std::uint64_t term);
 
 }  // namespace skein::translation

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every functional layer tells beside its answers: lines of the event log (kinds functional
-// and telemetry, docs/journal.md), and where its vehicles are.
+// Output of every functional layer beside its answers: event log records (kinds functional and
+// telemetry, docs/journal.md), and the true positions of its vehicles.
 #pragma once
 
 #include <deque>
@@ -26,20 +26,20 @@ wire::Truth truth_of(const std::string& uav, const world::VehicleState& state);
 journal::Record telemetry_line(MissionTime at, const std::string& node, const std::string& uav,
                                const world::VehicleState& state);
 
-/// Lines of kind functional: one for each change of a task, with what was asked for. Of tasks that
-/// are over and not the last kKept only the state is kept.
+/// Makes records of kind functional: one for each change of a task, with the request. Of finished
+/// tasks except the last kKept only the state is stored.
 class FunctionalLines {
  public:
   static constexpr std::size_t kKept = 256;
 
-  /// What is asked for twice is one task.
+  /// Notes a request; a repeated request is the same task.
   void note(const std::string& uav, const functional::Request& asked);
-  /// Absent when the state was told before.
+  /// The record of a state; absent: already written.
   std::optional<journal::Record> line_of(MissionTime at, const std::string& node,
                                          const std::string& uav, const functional::Status& status);
 
  private:
-  /// A task as it was asked for, and what was last told of it.
+  /// A requested task, and the last state written of it.
   struct Asked {
     std::string type;
     std::string device;          ///< of a perception

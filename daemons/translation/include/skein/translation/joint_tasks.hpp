@@ -9,7 +9,7 @@
 namespace skein::translation {
 
 wire::NegotiationMessage to_wire(const interaction::SessionMessage& message, const std::string& to);
-/// What makes no sense is for the negotiation manager to reject.
+/// Does not check the content; the negotiation manager rejects invalid messages.
 interaction::SessionMessage from_wire(const wire::NegotiationMessage& sample);
 
 wire::JointTaskState to_wire(const interaction::JointTaskStatus& status);

@@ -14,7 +14,7 @@
 
 namespace skein::translation {
 
-/// Who writes, and when.
+/// The writing node and the time of a record.
 struct Writer {
   MissionTime at;
   std::string node;
@@ -30,7 +30,7 @@ journal::Record task_line(const Writer& writer, const std::string& uav,
                           const executive::TaskEvent& event,
                           const executive::Parameters& parameters);
 
-/// What a task looks with and at, [m] ENU, as far as its parameters say.
+/// Device and target [m] ENU of a task, as far as its parameters have them.
 journal::OptionalText device_of(const executive::Parameters& parameters);
 journal::OptionalNumbers target_of(const executive::Parameters& parameters);
 

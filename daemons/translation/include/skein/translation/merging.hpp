@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What UAVs tell each other to merge their ways: wire to domain and back.
+// Messages of plan merging: wire to domain and back.
 #pragma once
 
 #include "skein/merging/message.hpp"
@@ -9,7 +9,7 @@ namespace skein::translation {
 
 wire::MergeMessage to_wire(const merging::Message& message);
 
-/// Refuses air without extent. Whose message it is, is said by who sent it.
+/// Refuses volumes without extent. The author of the message is its sender.
 Read<merging::Message> from_wire(const wire::MergeMessage& sample);
 
 }  // namespace skein::translation
