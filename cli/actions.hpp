@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who carries out the commands of the command line.
+// The functions that carry out the commands of the command line.
 #pragma once
 
 #include <any>

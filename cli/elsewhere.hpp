@@ -4,8 +4,8 @@
 
 namespace skein::cli {
 
-/// Becomes the program beside this one that carries out the command argv[1], with the same
-/// arguments. Returns only if that cannot be: the exit code, when why has been said.
+/// Replaces this process by the program beside it that carries out the command argv[1], with the
+/// same arguments. Returns only on failure, with the exit code, after printing the reason.
 int carry_out_elsewhere(int argc, char** argv);
 
 }  // namespace skein::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What there is to allocate, as it stands in a line.
+// An allocation instance, read from a line.
 #pragma once
 
 #include <optional>

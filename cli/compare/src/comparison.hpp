@@ -10,7 +10,7 @@
 
 namespace skein::compare_tool {
 
-/// A fact that is not the same in both.
+/// A fact that differs between the runs.
 struct Difference {
   std::string name;
   std::optional<Fact> first, second;  ///< absent: not in that run
@@ -24,7 +24,7 @@ struct SectionDifference {
   std::vector<Difference> differences;  ///< in the order of time, then of names
 };
 
-/// The first line in which two event logs part; a text that has ended has no line.
+/// The first line in which two event logs differ; absent for a log that has ended before.
 struct Divergence {
   std::size_t line = 0;  ///< from 1
   std::optional<std::string> first, second;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run came to, as facts with names.
+// The results of a run, as named facts.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What goes wrong in an import, what is left out, and what is taken for granted.
+// Errors, omissions and assumptions of an import.
 #pragma once
 
 #include <string>

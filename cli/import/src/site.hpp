@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a mission is flown: the scenario's frame and ground, and home in it.
+// Frame, ground and home position of an imported mission.
 #pragma once
 
 #include <optional>
@@ -24,13 +24,13 @@ class Site {
        std::optional<double> geoid);
 
   const world::Terrain& terrain() const { return terrain_; }
-  /// On the ground.
+  /// The home position, on the ground.
   const world::Vector3& home() const { return home_; }
   world::Vector2 on_ground(const mission_files::LatLon& at) const;
   double ground_at(const world::Vector3& point) const {
     return terrain_.elevation(point.x(), point.y());
   }
-  /// Nothing for a height over sea level where it is not known how high the sea is.
+  /// The position in the local frame; nothing for a height over sea level if the geoid is unknown.
   std::optional<world::Vector3> at(const mission_files::LatLon& at,
                                    const mission_files::Height& height) const;
   /// The z of a height over (or under) a point [m]; nothing likewise.
@@ -42,7 +42,7 @@ class Site {
   world::Terrain terrain_;
   world::Vector3 home_;
   double home_over_ellipsoid_ = 0;
-  /// Of sea level over the ellipsoid, as far as it is known.
+  /// Height of sea level over the ellipsoid [m], if known.
   std::optional<double> sea_;
 };
 

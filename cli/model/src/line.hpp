@@ -12,7 +12,7 @@
 
 namespace skein::model_tool {
 
-/// What one line says.
+/// Content of one line.
 struct TraceLine {
   MissionTime at;
   interaction::Input input;
@@ -20,7 +20,7 @@ struct TraceLine {
 
 Result<TraceLine, Failure> read_line(std::string_view text);
 
-/// Without its newline.
+/// The line of an effect, without its newline.
 std::string to_line(const interaction::Effect& effect);
 /// {"refused": N, "why": "…"}
 std::string refused_line(std::size_t number, const std::string& why);

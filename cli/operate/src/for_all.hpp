@@ -8,11 +8,11 @@
 
 namespace skein::operate_tool {
 
-/// Whether an action of the list is for UAV "all". Text that is no JSON list names nobody so.
+/// Whether an action of the list is for UAV "all". False for text that is no JSON list.
 bool names_all(const std::string& request);
 
-/// One action for each UAV in place of each for all: what is given back, kept or let go is what the
-/// operator has in hand, what is asked for is what another has.
+/// Replaces each action for "all" by one for each UAV concerned: giving back, keeping and letting
+/// go concern the UAVs that the operator controls, asking those that another operator controls.
 std::string for_all(const std::string& request, const std::string& who, const Boards& boards);
 
 }  // namespace skein::operate_tool

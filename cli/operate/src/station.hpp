@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ground station as an operator at the shell meets it.
+// Connection of an operator at the shell to the ground station.
 #pragma once
 
 #include <functional>
@@ -18,14 +18,14 @@
 
 namespace skein::operate_tool {
 
-/// What was heard of the ground station: the last of each board.
+/// The last of each board received from the ground station.
 struct Boards {
   std::optional<wire::GroundBoard> ground;
   std::map<std::string, wire::UavBoard> uavs;
   std::map<std::string, wire::UavTasks> tasks;
   std::map<std::uint32_t, wire::LinkState> links;  ///< by instance
 
-  /// The ground station's board came, and those of all UAVs that it names.
+  /// Whether the ground station's board and those of all its UAVs were received.
   bool complete() const;
 };
 
@@ -35,8 +35,8 @@ class Station {
   explicit Station(const StationOptions& options) : options_(options) {}
 
   Result<void, Failure> open();
-  /// Listens until `done` says so (asked after each arrival), `seconds` have passed, or Ctrl-C;
-  /// true if it said so.
+  /// Listens until `done` returns true (called after each arrival), `seconds` have passed, or
+  /// Ctrl-C; returns whether `done` did.
   bool listen(double seconds, const std::function<bool()>& done);
   void ask(const wire::OperatorRequest& request);
 
@@ -44,7 +44,7 @@ class Station {
   /// Nothing: no answer to that request yet.
   std::optional<wire::OperatorReply> answer(const std::string& who, std::uint64_t number) const;
   MissionTime mission_time();
-  /// Before that, mission_time() says nothing.
+  /// Whether the mission clock was received; before that mission_time() is not valid.
   bool clock_heard() const { return clock_heard_; }
   wire::ClockPhase phase() const { return clock_.phase(); }
   bool interrupted() const { return waker_.stop_requested(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What became of commands, for people.
+// Prints the progress of commands for people.
 #pragma once
 
 #include <iosfwd>
@@ -10,8 +10,8 @@
 
 namespace skein::operate_tool {
 
-/// Prints each state of each command once, in its order: also those that a reply no longer says
-/// because the command is beyond them. What was accepted and needs no command is done.
+/// Prints each state of each command once, in order, including states that a reply skips because
+/// the command has passed them. Accepted actions without commands are reported as done.
 class Teller {
  public:
   /// `out` must outlive it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What --diverge says has changed by itself.
+// Exogenous changes given by --diverge.
 #pragma once
 
 #include <string>

@@ -50,7 +50,7 @@ class Library {
   const htn::Functions& functions() const { return functions_; }
   /// To fill before anything is compiled.
   htn::Functions& functions() { return functions_; }
-  /// What was wrong with other files of the command.
+  /// Adds errors of other files of the command.
   void blame(const Diagnostics& errors) { errors_.append(errors); }
   htn::TermStore& store() { return store_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a terminal shows while a search goes on: one line, written over each second.
+// Progress line of a search on a terminal, overwritten each second.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@ class Progress {
   void see(const htn::Plan& plan);
   /// To call often.
   void tick();
-  /// Takes the line away.
+  /// Erases the line.
   void end();
 
  private:

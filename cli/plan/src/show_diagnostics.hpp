@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong or suspicious in files, each with its line of text, underlined.
+// Prints errors and warnings of files, each with its line of text, underlined.
 #pragma once
 
 #include <iosfwd>

@@ -17,8 +17,8 @@ using Solution =
 
 using Answer = Result<Solution, refiners::Refusal>;
 
-/// Asks the service. `time_is_up` may be empty. The gates of areas are put into the query, so that
-/// it tells afterwards what was asked.
+/// Runs the service. `time_is_up` may be empty. Adds the gates of areas to the query, so that it
+/// afterwards has the complete question.
 Answer answer(Query& query, std::function<bool()> time_is_up);
 
 }  // namespace skein::refine_tool

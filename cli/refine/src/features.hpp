@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of an answer other programs can show: ways, areas, places.
+// Geographic features of an answer for other programs: paths, areas, places.
 #pragma once
 
 #include <vector>

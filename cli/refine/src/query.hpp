@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a query file asks, with all that it refers to.
+// A query with everything that its file refers to.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a replay stands.
+// Playback position and speed of a replay.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace skein::replay_tool {
 
-/// What the page's bar asks for; what is absent stays.
+/// A request of the page's playback bar; absent fields are unchanged.
 struct Wish {
   std::optional<bool> playing;
   std::optional<double> speed;    ///< mission seconds per second, in [0.1, 1000]
@@ -26,7 +26,7 @@ class Player {
   /// Precondition: `speed` as in Wish.
   Player(MissionTime until, double speed) : until_(until), speed_(speed) {}
 
-  /// True if time went back: what was told must be told anew.
+  /// Returns true if time went back, so that the page has to be cleared and filled again.
   bool carry_out(const Wish& wish);
   /// `passed`: of the steady clock. Halts at the end.
   void advance(Duration passed);

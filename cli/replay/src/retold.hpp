@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of an event log as the samples that the page knows.
+// Converts lines of an event log to samples for the page.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a run is known at an instant.
+// Known state of a run at an instant.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ struct UavState {
   std::array<double, 3> velocity{kUnknown, kUnknown, kUnknown};  ///< [m/s] ENU
   double heading = kUnknown, energy = kUnknown, airborne = kUnknown, degree = kUnknown;
   double revision = kUnknown, decisions = 0, reachable = kUnknown;
-  std::set<std::int64_t> running;  ///< tasks
-  std::set<std::int64_t> open;     ///< high-level tasks that are not settled
+  std::set<std::int64_t> running;  ///< ids of running tasks
+  std::set<std::int64_t> open;     ///< ids of high-level tasks without a final state
 };
 
 /// Takes the records of a run in the order of time.
@@ -31,7 +31,7 @@ class State {
  public:
   void see(const journal::Record& record);
 
-  /// Of one that nothing was heard of: nothing known.
+  /// State of a UAV; all unknown if it has no records yet.
   const UavState& uav(const std::string& name) const;
   /// Truth of the radio from one node to another: 1 up, 0 down.
   double link(const std::string& from, const std::string& to) const;
@@ -47,7 +47,7 @@ class State {
   double messages_ = 0;            ///< event samples sent so far
 };
 
-/// [m]; unknown if either place is.
+/// Distance of two UAVs [m]; unknown if either position is.
 double distance(const UavState& a, const UavState& b);
 
 }  // namespace skein::series_tool

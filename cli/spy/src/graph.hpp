@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who takes part in a domain, and with what.
+// Participants of a domain, and their endpoints.
 #pragma once
 
 #include <cstdint>
@@ -20,28 +20,28 @@ struct Taking {
   std::optional<std::uint32_t> node;  ///< by its directory entry
 };
 
-/// As sightings tell it. Only values, no clock.
+/// The domain according to sightings. A value type without a clock.
 class Graph {
  public:
   void see(const blackboard::Sighting& sighting, Duration now);
-  /// The writer is that of a sample that came, which this node made (0: none of ours did); a
-  /// directory entry says which node the writer belongs to.
+  /// Takes a received sample of a writer. `origin`: the node that made it (0: none of ours); a
+  /// directory entry tells which node the writer belongs to.
   void hear(const std::string& writer, Duration at, std::uint32_t origin,
             const wire::DirectoryEntry* entry);
 
-  /// By guid; only who is still there.
+  /// Current participants, by guid.
   const std::map<std::string, Taking>& participants() const { return participants_; }
   const std::map<std::string, blackboard::Endpoint>& endpoints() const { return endpoints_; }
-  /// By node number; also of those who have left.
+  /// Directory entries by node number, including nodes that have left.
   const std::map<std::uint32_t, wire::DirectoryEntry>& directory() const { return directory_; }
   const blackboard::Endpoint* endpoint(const std::string& guid) const;
   /// When the endpoint was found.
   std::optional<Duration> found(const std::string& guid) const;
 
-  /// The node's name by its directory entry; as long as none was heard that of the participant
-  /// whom its samples came from, unless that is known to be another node; else "node 7".
+  /// The node's name from its directory entry; without one that of the participant that sent its
+  /// samples, unless that is known to be another node; else "node 7".
   std::string name_of(std::uint32_t number) const;
-  /// Of a participant: its node's name, else its own, else its guid. Also of one that has left.
+  /// Name of a participant, present or past: its node's name, else its own, else its guid.
   std::string owner_of(const std::string& participant) const;
 
   std::vector<const blackboard::Endpoint*> of_topic(const std::string& topic, bool writers) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who hears whom.
+// Radio links between nodes.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,23 @@
 
 namespace skein::spy_tool {
 
-/// One direction between two nodes, as far as anybody says something of it.
+/// One direction between two nodes, with the available statements about it.
 struct Link {
   std::uint32_t from = 0, to = 0;
-  std::optional<Duration> heartbeat;     ///< steady; the last one from the one to the other
+  std::optional<Duration> heartbeat;     ///< steady time of the last heartbeat in this direction
   std::optional<double> period;          ///< [s] between the last two
-  std::optional<bool> heard;             ///< the receiver says so
-  std::optional<bool> carried;           ///< the simulator says so
+  std::optional<bool> heard;             ///< link state according to the receiver
+  std::optional<bool> carried;           ///< link state according to the simulator
   std::optional<std::uint64_t> waiting;  ///< events sent and not acknowledged
 };
 
-/// From heartbeats (by what they acknowledge), the receivers' own words (slots Neighbours and
-/// UavBoard, records `reach` of the event log) and the simulator's. Only values, no clock.
+/// Derives links from heartbeats (with their acknowledgements), the receivers' statements (slots
+/// Neighbours and UavBoard, records `reach` of the event log) and those of the simulator. A value
+/// type without a clock.
 class Links {
  public:
   void hear(const wire::Sample& sample, Duration at);
-  /// By sender, then receiver; those of which a heartbeat or a word was heard.
+  /// All links with a heartbeat or a statement, by sender, then receiver.
   std::vector<Link> all() const;
 
  private:
@@ -41,7 +42,7 @@ class Links {
   Half& half(std::uint32_t from, std::uint32_t to);
   void hear_heartbeat(const wire::Heartbeat& heartbeat, Duration at);
   void hear_record(const wire::JournalEntry& entry);
-  /// Of a slot that says whom its origin hears.
+  /// Takes a sample that lists the nodes that its origin hears.
   void hear_neighbours(const wire::Sample& sample);
 
   std::map<std::pair<std::uint32_t, std::uint32_t>, Half> halves_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The spy's ears: readers in any partitions, no writers.
+// DDS readers of the spy in any partitions, without writers.
 #pragma once
 
 #include <deque>
@@ -22,21 +22,21 @@ namespace skein::spy_tool {
 
 using Content = std::variant<wire::Sample, blackboard::Malformed>;
 
-/// A sample that was asked for.
+/// A received sample that matches the options.
 class Heard {
  public:
-  /// `slot`: nothing if its type is none of ours. All references outlive it.
+  /// `slot`: nothing for foreign types. All references must outlive this object.
   Heard(const blackboard::SampleSeen& raw, const blackboard::Endpoint* writer,
         std::optional<wire::Slot> slot)
       : raw_(raw), writer_(writer), slot_(slot) {}
 
   const blackboard::SampleSeen& raw() const { return raw_; }
-  /// Null if it has left meanwhile.
+  /// The writer; null if it has left meanwhile.
   const blackboard::Endpoint* writer() const { return writer_; }
   std::optional<wire::Slot> slot() const { return slot_; }
-  /// An instance came to its end; there is no content.
+  /// Whether the sample only reports the end of an instance, without content.
   bool gone() const { return raw_.bytes.empty(); }
-  /// Decoded when it is asked for. Precondition: slot(), not gone().
+  /// The content, decoded on first use. Precondition: slot(), not gone().
   const Content& content() const;
   const wire::Sample* sample() const;
   /// All zero where there is none.
@@ -49,8 +49,8 @@ class Heard {
   mutable std::optional<Content> content_;
 };
 
-/// Opens a reader as soon as a writer of what is wanted is found, with the QoS that nodes ask for,
-/// or, of types that are none of ours, with what that writer offers.
+/// Opens a reader as soon as a writer of a wanted topic is discovered, with the QoS that nodes
+/// request, or, for foreign types, with the QoS that the writer offers.
 class Listener {
  public:
   using Use = std::function<bool(const Heard&)>;
@@ -61,7 +61,7 @@ class Listener {
   /// Slots that are no slots, with the nearest that are.
   Diagnostics check() const;
   Result<void, Failure> open();
-  /// Told of each sighting, before its sample is used; may end listen() as `use` does.
+  /// Sets a callback for each sighting, called before `use`; like `use` it may end listen().
   void on_sighting(std::function<bool(const blackboard::Sighting&)> told) {
     told_ = std::move(told);
   }
@@ -69,8 +69,8 @@ class Listener {
   void without_history_of(wire::Slot slot) { without_history_.insert(slot); }
   /// Reads these slots, whatever else the options say.
   void read_only(std::set<wire::Slot> slots) { only_ = std::move(slots); }
-  /// Before open(): looks when listen() begins and ends, not at each sample; for who writes down
-  /// much and has no haste. Samples know when they were heard.
+  /// Takes samples only when listen() begins and ends, instead of at each arrival, for recording at
+  /// high rates; samples keep their arrival times. Precondition: before open().
   void look_in_turns() { in_turns_ = true; }
   /// Hands over everything heard until `until` (none: for ever), Ctrl-C, or `use` says false; then
   /// gives false, and what comes after waits for the next call.
@@ -79,9 +79,9 @@ class Listener {
   const Graph& graph() const { return graph_; }
   bool wanted(wire::Slot slot) const;
   bool interrupted() const { return waker_.stop_requested(); }
-  /// What DDS refused: to take part, or to read a topic.
+  /// Operations refused by DDS: joining the domain, or reading a topic.
   const std::vector<std::string>& refused() const { return refused_; }
-  /// Samples that were passed over because of `from`.
+  /// Number of samples skipped because of the option `from`.
   std::uint64_t of_others() const { return of_others_; }
 
  private:
@@ -107,7 +107,7 @@ class Listener {
 
 /// Nothing where the topic or the type is none of ours.
 std::optional<wire::Slot> slot_of(const blackboard::Endpoint& endpoint);
-/// What nodes ask for of a slot.
+/// The QoS that nodes request for a slot.
 blackboard::EndpointQos qos_of(wire::Slot slot);
 /// The reader that a node would have of the slot.
 blackboard::Endpoint reader_of(wire::Slot slot, std::vector<std::string> partitions);

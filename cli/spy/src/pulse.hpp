@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often, how large and how late the samples of one flow are.
+// Rate, size and delay of the samples of one flow.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace skein::spy_tool {
 
-/// What is looked back on, and its spread.
+/// Statistics over the window.
 struct Spread {
   double mean = 0, least = 0, greatest = 0, deviation = 0;
-  double late = 0;  ///< 99 of 100 are at most so large
+  double late = 0;  ///< 99th percentile
 };
 
-/// The last `window` samples. Only values, no clock.
+/// Statistics of the last `window` samples. A value type without a clock.
 class Pulse {
  public:
   explicit Pulse(std::size_t window) : window_(window) {}
 
-  /// `delay`: from its writing to its coming [s], by the clocks of two machines.
+  /// Adds a sample. `delay`: from writing to arrival [s], by the clocks of two machines.
   void beat(Duration at, std::size_t bytes, double delay);
   std::size_t samples() const { return beats_.size(); }
   /// [s] between samples; nothing before the second one.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why nothing came.
+// Diagnosis when no samples were received.
 #pragma once
 
 #include <string>
@@ -12,17 +12,17 @@ namespace skein::spy_tool {
 
 struct Silence {
   enum class Cause : std::uint8_t {
-    kNobody,    ///< nobody takes part in the domain
-    kNoWriter,  ///< of what was asked for, in these partitions
-    kRefused,   ///< DDS keeps the writers and us apart: type or QoS
-    kSilent,    ///< there are writers, who write nothing
-    kFiltered   ///< samples came; none was what was asked for
+    kNobody,    ///< no participants in the domain
+    kNoWriter,  ///< no writer of the wanted topics in these partitions
+    kRefused,   ///< DDS does not match the writers with the spy: type or QoS
+    kSilent,    ///< there are writers, but they write nothing
+    kFiltered   ///< samples arrived, but none matched the options
   };
   Cause cause = Cause::kNobody;
   std::string why;  ///< a sentence
 };
 
-/// `passed_over`: samples that came and were not what was asked for.
+/// `passed_over`: number of samples that did not match the options.
 Silence silence_of(const SpyOptions& options, const Graph& graph, std::uint64_t passed_over);
 
 /// "no writer", "QoS refused", …: what scripts may look for.

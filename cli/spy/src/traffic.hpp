@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts of what was heard.
+// Counts of received samples.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct Flow {
   double rate() const;
 };
 
-/// Per slot, origin and destination.
+/// Counts samples per slot, origin and destination.
 class Traffic {
  public:
   void count(wire::Slot slot, std::uint32_t origin, std::uint32_t destination, bool malformed,

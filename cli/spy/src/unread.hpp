@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is written and read by nobody.
+// Topics with writers but without readers.
 #pragma once
 
 #include <set>
@@ -10,11 +10,11 @@
 
 namespace skein::spy_tool {
 
-/// A sample without a reader is not sent, so whoever looks at what passes cannot see it.
+/// Finds topics without readers, whose samples are not sent and so cannot be seen in the traffic.
 class Unread {
  public:
   void see(const blackboard::Sighting& sighting);
-  /// Of which every writer that was there met no reader, by name.
+  /// Topics of which no writer ever had a matching reader, by name.
   std::vector<std::string> topics() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is asked of a network, with answers in terms of its own links.
+// Analyses of a network, with results in terms of its links.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong in a domain.
+// Diagnosis of a DDS domain.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace skein::spy_tool {
 
-/// What was heard while the doctor listened.
+/// Observations during the listening time of the doctor.
 class Consultation {
  public:
   void hear(const Heard& heard, const Graph& graph);
@@ -24,10 +24,10 @@ class Consultation {
   void judge_types(const Graph& graph, Findings& findings) const;
   void judge_clocks(Findings& findings) const;
 
-  /// Of samples that are no history, by owner: the least time from writing to coming [s].
+  /// Least delay from writing to arrival [s], by owner, over samples that are no history.
   std::map<std::string, double> least_delay_;
   std::map<std::string, std::uint64_t> malformed_;  ///< "Clock of node 7: field"
-  /// By name: the participants that say they are this node.
+  /// Participants that claim to be a node, by the node's name.
   std::map<std::string, std::set<std::string>> who_;
 };
 

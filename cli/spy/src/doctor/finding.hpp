@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the doctor says.
+// Findings of the doctor.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace skein::spy_tool {
 struct Finding {
   enum class Grade : std::uint8_t {
     kGood,
-    kNote,  ///< worth knowing; may be meant
-    kBad    ///< it will not work, or not as it should
+    kNote,  ///< worth knowing; may be intended
+    kBad    ///< communication will fail, or not work as it should
   };
   Grade grade = Grade::kGood;
-  std::string check;  ///< what was looked at: "multicast"
+  std::string check;  ///< name of the check: "multicast"
   std::string text;
 };
 using Findings = std::vector<Finding>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of this machine matters to DDS.
+// Facts about this machine that matter to DDS.
 #pragma once
 
 #include <cstdint>
@@ -22,10 +22,10 @@ struct Leftovers {
   std::uint64_t bytes = 0;
 };
 
-/// One look at the machine.
+/// A snapshot of the machine.
 struct MachineFacts {
   std::vector<Interface> interfaces;  ///< with an IPv4 address
-  std::uint64_t receive_buffer = 0;   ///< most that a socket may ask for [byte]
+  std::uint64_t receive_buffer = 0;   ///< greatest receive buffer of a socket [byte]
   std::uint64_t overflows = 0;        ///< UDP packets lost since the start for full buffers
   Leftovers leftovers;
   std::int64_t wall = 0;    ///< [ns since 1970]
@@ -34,11 +34,11 @@ struct MachineFacts {
 
 MachineFacts look_at_machine(const std::string& shared_memory = "/dev/shm");
 
-/// Whether a packet sent to the group of RTPS on the interface with this address comes back to
-/// this machine; the failure says what was refused. Takes up to half a second.
+/// Tests whether a packet sent to the RTPS multicast group on the interface with this address comes
+/// back to this machine; the failure describes what was refused. Takes up to half a second.
 Result<void, Failure> try_multicast(const std::string& address);
 
-/// `before` and `after` the time of listening.
+/// Findings from snapshots before and after listening.
 Findings judge_machine(const MachineFacts& before, const MachineFacts& after,
                        const blackboard::NetworkConfig& network);
 

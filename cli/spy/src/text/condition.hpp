@@ -16,8 +16,8 @@ namespace skein::spy_tool {
 ///   comparison  PATH (== | != | < | <= | > | >=) VALUE, or PATH alone: true, or there at all
 ///   !  &&  ||   with ( and )
 ///   VALUE       a number, true, false, 'text', "text", or a word: running
-/// Numbers compare as numbers, the rest as text; what is not there fulfils no comparison, and of
-/// several values (a list without an index) one is enough.
+/// Numbers compare as numbers, other values as text; a missing value satisfies no comparison, and
+/// of several values (a list without an index) one is enough.
 class Condition {
  public:
   /// The failure says at which column what was expected.
@@ -27,7 +27,7 @@ class Condition {
   ~Condition();
 
   bool holds(const nlohmann::ordered_json& sample) const;
-  /// That it mentions, as they are written.
+  /// The paths in the condition, as written.
   const std::vector<std::string>& paths() const { return paths_; }
 
   struct Node;

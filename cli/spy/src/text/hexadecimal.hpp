@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes of which nobody knows what they mean.
+// Hexadecimal text of bytes of unknown format.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where something is in a sample: "task.parameters[0].name".
+// Paths of fields in a sample: "task.parameters[0].name".
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -23,13 +23,13 @@ using Path = std::vector<Step>;
 
 Result<Path, Failure> parse_path(std::string_view text);
 
-/// What is there. A list that the path names no element of stands for all of them, so that there
-/// may be many; there may be nothing.
+/// The values at a path. A list without an index stands for all its elements, so there may be
+/// several values, or none.
 std::vector<const nlohmann::ordered_json*> values_at(const nlohmann::ordered_json& document,
                                                      const Path& path);
 
-/// Whether samples of one of these slots may have something there; the nearest name otherwise. What
-/// is in empty lists of a fresh sample is not known and may be there.
+/// Checks that samples of one of these slots can have a value at the path; otherwise a diagnostic
+/// with the nearest name. Elements of lists that are empty in a default sample are not checked.
 Diagnostics check_path(const Path& path, const std::string& text,
                        const std::vector<wire::Slot>& slots);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `skein spy` does, verb by verb, with a listener that is open.
+// The verbs of `skein spy`, with an open listener.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,7 @@ int show_rates(const SpyOptions& options, Listener& listener, std::ostream& out,
 int show_links(const SpyOptions& options, Listener& listener, std::ostream& out, std::ostream& err);
 int examine(const SpyOptions& options, Listener& listener, std::ostream& out, std::ostream& err);
 
-/// What the verb cannot do with these options.
+/// Errors of the options for the verb echo.
 Diagnostics check_echo(const SpyOptions& options, const Listener& listener);
 
 /// When to stop listening: after the duration, or `fallback` seconds without one.

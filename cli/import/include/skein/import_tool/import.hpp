@@ -28,7 +28,7 @@ struct ImportOptions {
   bool leave_out = false;           ///< what has no counterpart, instead of refusing the file
 };
 
-/// What became of a file.
+/// The result of an import.
 struct Imported {
   std::string yaml;               ///< the scenario; `skein run` takes it
   std::vector<std::string> said;  ///< what was taken for granted, for people

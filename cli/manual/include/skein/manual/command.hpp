@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a program's command line takes, as its definitions say it.
+// Description of a program's command line, from its CLI11 definitions.
 #pragma once
 
 #include <string>
@@ -30,7 +30,7 @@ struct Command {
   std::vector<Command> commands;
 };
 
-/// Of a program, with all its commands. What is hidden (of no group) is left out.
+/// The description of a program with all its commands; hidden ones (without group) are left out.
 Command command_of(const CLI::App& app);
 
 }  // namespace skein::manual

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is right and wrong of models, for programs.
+// Check report of models, for programs.
 #pragma once
 
 #include <string>

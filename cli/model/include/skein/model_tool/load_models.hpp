@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files and all that they use, read together.
+// Reads model files together with all files that they use.
 #pragma once
 
 #include <string>
@@ -20,9 +20,9 @@ struct Loaded {
   std::vector<std::string> automaton_files;
 };
 
-/// Every error of all files at once. A file is read once, whoever uses it.
+/// All errors of all files at once. Each file is read once, even if several use it.
 Result<Loaded, Diagnostics> load_models(const std::vector<std::string>& files);
-/// Likewise, of what `read` says that the files are.
+/// The same with the files' texts given by `read`.
 Result<Loaded, Diagnostics> load_models(const std::vector<std::string>& files,
                                         const interaction::ReadFile& read);
 

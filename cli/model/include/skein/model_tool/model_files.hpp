@@ -13,8 +13,8 @@ struct CheckOptions {
   bool json = false;
 };
 
-/// Says what is there on `out`; what is wrong on `err`, or with `json` on `out`. A file that is one
-/// block is checked as an automaton by itself. 0: right; 2: not, with every error.
+/// Prints the content of the models to `out`, errors to `err`, or with `json` to `out`. A file of
+/// one block is checked as an automaton. 0: no errors; 2: errors, all at once.
 int check_models(const CheckOptions& options, std::ostream& out, std::ostream& err);
 
 struct DrawOptions {

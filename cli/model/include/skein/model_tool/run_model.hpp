@@ -18,8 +18,8 @@ struct RunOptions {
 };
 
 /// Reads inputs as JSON lines from `in`, answers each at once with lines of effects on `out`
-/// (formats: docs/interaction.md), and says on `err` again what is wrong with a line. 0: done;
-/// 1: some line was refused (the others were played); 2: the automaton cannot be used.
+/// (formats: docs/interaction.md), and repeats errors of lines on `err`. 0: done; 1: some line was
+/// refused (the others were played); 2: the automaton cannot be used.
 int run_model(const RunOptions& options, std::istream& in, std::ostream& out, std::ostream& err);
 
 }  // namespace skein::model_tool

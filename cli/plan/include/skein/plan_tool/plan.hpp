@@ -12,7 +12,8 @@
 
 namespace skein::plan_tool {
 
-/// What a planning domain of missions asks its host about (docs/comets-domain.md). Empty: nothing.
+/// Files and values for the host functions of a mission domain (docs/comets-domain.md). Empty:
+/// none.
 struct MissionFiles {
   std::string world;             ///< --world FILE
   std::string vehicle;           ///< --vehicle FILE: a vehicle model
@@ -42,7 +43,7 @@ struct PlanOptions {
   MissionFiles mission;
 };
 
-/// What the tool may ask of the process it runs in; every function may be absent.
+/// Services of the process that runs the tool; every function may be absent.
 struct Surroundings {
   std::function<double()> cpu_seconds;  ///< processor time of the process so far [s]
   std::function<bool()> interrupted;    ///< Ctrl-C came: report what there is and end

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `skein spy`: what is on the wire.
+// `skein spy`: shows the traffic of a DDS domain.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace skein::spy_tool {
 
-/// What is shown.
+/// The information to show.
 enum class Verb : std::uint8_t {
   kTable,   ///< nodes, slots and rates
   kTopics,  ///< ls

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `skein state`: what a daemon keeps for its next life, looked at.
+// `skein state`: inspects the persistent state of a daemon.
 #pragma once
 
 #include <iosfwd>

@@ -18,7 +18,7 @@ struct Case {
   std::string file;  ///< where it stands, or would: its models are relative to that
 };
 
-/// What came of it.
+/// The result of a case.
 struct Verdict {
   bool valid = true;  ///< the scenario could be read; else `problem` says why not
   std::string problem;
@@ -38,7 +38,7 @@ struct JudgeOptions {
 
 /// All laws that a mission is judged by, a line each: "NAME: what it says", names with commas.
 std::vector<std::string> law_lines();
-/// What is wrong with names of laws, with the nearest there is; empty: nothing.
+/// The error of unknown names of laws, with the nearest names; empty: none.
 std::string problem_of_laws(const std::vector<std::string>& names);
 
 /// The laws of truth (laws/laws.hpp), and "protocol" (laws/protocol.hpp), "crash", "hang" and

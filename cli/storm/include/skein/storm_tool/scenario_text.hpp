@@ -16,9 +16,8 @@ namespace skein::storm_tool {
 Result<std::string, Failure> with_troubles(const std::string& yaml, std::uint64_t seed,
                                            const mission_lab::Troubles& troubles);
 
-/// The text with one part less, in every way there is: faults and cuts first, then what is
-/// expected, then steps, tasks, objects, UAVs and whatever else is listed. Some of them make no
-/// sense. Precondition: it is YAML.
+/// All texts with one part less: faults and cuts first, then expectations, then steps, tasks,
+/// objects, UAVs and other list items. Some are not meaningful. Precondition: `yaml` is valid YAML.
 std::vector<std::string> smaller(const std::string& yaml);
 
 }  // namespace skein::storm_tool

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a series of missions came to, counted by law.
+// Results of a series of missions, counted by law.
 #pragma once
 
 #include <map>

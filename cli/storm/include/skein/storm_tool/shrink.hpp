@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A failing thing made small.
+// Minimisation of a failing input (delta debugging).
 #pragma once
 
 #include <cstddef>

@@ -32,7 +32,7 @@ class PlayedRoles {
   /// Passes an input to the stand-in of a UAV; no effect for a UAV without stand-in.
   Outcome tell(const std::string& uav, const decision_node::StandInInput& input, MissionTime now);
   /// Result of a sample of a decision node (forwarded messages of partners, telemetry, tasks).
-  /// Nothing: the sample is not for played roles, or others need it too.
+  /// `only_here`: the sample concerns nothing but played roles.
   struct Heard {
     Outcome outcome;
     bool only_here = false;
