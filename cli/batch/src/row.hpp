@@ -13,16 +13,16 @@
 
 namespace skein::batch_tool {
 
-/// What is to be played.
+/// A run to be played.
 struct Case {
   std::string scenario;     ///< its name
-  std::string file, text;   ///< where it stands; as changed
-  Combination combination;  ///< by what
+  std::string file, text;   ///< file of the scenario; its text with the combination applied
+  Combination combination;  ///< values of the sweeps
   std::uint64_t seed = 1;
-  std::string folder;  ///< where its run is kept; empty: nowhere
+  std::string folder;  ///< for the results of the run; empty: not kept
 };
 
-/// What came of it.
+/// The result of a run.
 struct Row {
   std::string scenario;
   Combination combination;
@@ -35,13 +35,14 @@ struct Row {
   int goals = 0, achieved = 0, failed = 0;
   std::vector<std::pair<std::string, bool>> expectations;
   std::vector<std::pair<std::string, std::optional<double>>> measures;  ///< absent: not measurable
-  std::vector<std::string> laws;    ///< that it broke, each once
-  std::vector<std::string> breaks;  ///< how: for each of them what was seen first, a sentence
+  std::vector<std::string> laws;    ///< names of violated laws, each once
+  std::vector<std::string> breaks;  ///< the first violation of each of them, as a sentence
 
   bool good() const { return outcome == "passed" && laws.empty(); }
 };
 
-/// Plays it here and now. Precondition: its text was read without errors, with these degrees.
+/// Plays a case in this process. Precondition: its text was read without errors, with these
+/// degrees.
 Row play_case(const Case& what, const std::vector<std::string>& degrees);
 
 /// Reads, changes and checks the scenario of a case; every error at once, after the combination.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs that differ in nothing but their seeds, counted together.
+// Statistics over runs that differ only in their seeds.
 #pragma once
 
 #include <iosfwd>
@@ -22,12 +22,12 @@ struct Series {
   std::vector<Share> expectations;
   /// Figures of each measure, in the order of the seeds; of runs in which it could be measured.
   std::vector<std::pair<std::string, std::vector<double>>> measures;
-  std::vector<Row> bad;  ///< that did not pass, or broke a law
+  std::vector<Row> bad;  ///< runs that did not pass, or violated a law
 
   std::string label() const;  ///< "confirmed, radio.loss=0.1"
 };
 
-/// In the order of the rows. Rows of interrupted runs count for nothing.
+/// The series in the order of the rows; interrupted runs are ignored.
 std::vector<Series> series_of(const std::vector<Row>& rows);
 
 /// Tables for people; of runs that did not pass the first `examples`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that a sweep puts into a scenario.
+// Parameter sweeps over a scenario.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace skein::batch_tool {
 
-/// A place of a scenario's document and what stands there in turn.
+/// A path in a scenario's document, and the values to put there in turn.
 struct Sweep {
   std::string path;  ///< keys, and numbers of list items from 0: "faults.0.at"
   std::vector<std::string> values;
@@ -24,7 +24,7 @@ using Combination = std::vector<std::pair<std::string, std::string>>;
 /// once.
 Result<std::vector<Sweep>, Diagnostics> read_sweeps(const std::vector<std::string>& texts);
 
-/// All of them, the last sweep turning quickest; without sweeps one that changes nothing.
+/// All combinations, the last sweep varying fastest; without sweeps a single empty combination.
 std::vector<Combination> combinations(const std::vector<Sweep>& sweeps);
 
 /// "radio.loss=0.1 seed=3"; empty of no sweep.

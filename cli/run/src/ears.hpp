@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a runner hears by: its board and the transport below.
+// The DDS reception of a runner: its blackboard and the transport below.
 #pragma once
 
 #include <cstdint>
@@ -20,16 +20,16 @@ namespace skein::run_tool {
 /// Reads the world channel as the runner. Thread rule: one thread; `notify` is called from others.
 class Ears {
  public:
-  /// The roster outlives it.
+  /// The roster must outlive this object.
   Ears(blackboard::DdsConfig config, const node::Roster& roster, std::function<void()> notify)
       : config_(std::move(config)), roster_(roster), notify_(std::move(notify)) {}
 
-  /// A second call begins anew, as another participant with endpoints and ports of its own: what is
-  /// wrong between the one before and somebody else is left behind. Records that were heard are
-  /// not heard again, and of the others what their writers still have is. After an error it hears
-  /// as before.
+  /// Opens the DDS participant. A second call replaces it by a new one with its own endpoints and
+  /// ports, which resolves discovery problems of the old one. Records received before are not
+  /// delivered again; missed ones are, if their writers still have them. After an error the old
+  /// participant stays in use.
   Result<void, Failure> open(blackboard::Now now);
-  /// What has come since. Precondition: opened.
+  /// Samples received since the last call. Precondition: opened.
   std::vector<blackboard::Incoming> listen(blackboard::Now now);
 
  private:

@@ -13,7 +13,7 @@
 namespace skein::run_tool {
 
 /// Starts, kills and watches skein-sim (one more for each functional layer of its own),
-/// skein-ground and one skein-ddn per UAV. None outlives it.
+/// skein-ground and one skein-ddn per UAV. The destructor ends all of them.
 class Fleet {
  public:
   struct Ended {
@@ -21,7 +21,7 @@ class Fleet {
     std::string program;
     std::string log;
     Process::Status status;
-    bool killed = false;  ///< by kill(), as the scenario wanted
+    bool killed = false;  ///< by kill(), for a fault of the scenario
     bool crashed() const { return status.signal != 0 || status.code != 0; }
   };
 
@@ -37,11 +37,11 @@ class Fleet {
   bool is_running(const std::string& name) const { return running_.count(name) > 0; }
   bool any_running() const { return !running_.empty(); }
   std::string running_names() const;
-  /// Where the ground station serves the operators' page, by its log; empty while it has not said.
+  /// Address of the operators' page, from the ground station's log; empty until it is logged.
   std::string console_url() const;
   void signal_all(int signal);
   void kill_all();
-  /// Those that ended since the last call.
+  /// Daemons that ended since the last call.
   std::vector<Ended> take_ended();
 
  private:

@@ -12,8 +12,8 @@
 
 namespace skein::run_tool {
 
-/// A program running in a process group of its own, with its output appended to a log file. Killed
-/// and reaped when this goes out of scope.
+/// A program running in a process group of its own, with its output appended to a log file. The
+/// destructor kills and reaps it.
 class Process {
  public:
   /// How it ended: an exit code, or a signal.
@@ -31,7 +31,7 @@ class Process {
   ~Process();
 
   pid_t pid() const { return pid_; }
-  /// Its end, once it has come; does not wait.
+  /// The end of the process; nothing while it runs. Does not wait.
   std::optional<Status> poll();
   void send(int signal) const;
 

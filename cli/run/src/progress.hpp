@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run shows while it goes on: mission time, phase, each UAV's current task.
+// Progress display of a run: mission time, phase, each UAV's current task.
 #pragma once
 
 #include <iosfwd>
@@ -22,9 +22,9 @@ class Progress {
 
   /// What the team cannot do is said at once.
   void see(const journal::Record& record);
-  /// Shows how things stand; to call about ten times per second.
+  /// Updates the display; to be called about ten times per second.
   void show(MissionTime now);
-  /// A message of its own line.
+  /// Prints a message on a separate line.
   void say(const std::string& text);
   void finish();
 

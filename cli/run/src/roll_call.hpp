@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a runner hears everybody who takes part.
+// Checks that the runner hears every daemon of the run.
 #pragma once
 
 #include <map>
@@ -21,18 +21,18 @@ class RollCall {
 
   enum class Verdict { kGoOn, kListenAnew, kGiveUp };
 
-  /// A new life of it, that has not been heard.
+  /// The node was (re)started; it has not been heard since.
   void started(const std::string& name, Duration steady) { lives_[name] = Life{steady, false}; }
-  /// Who was not started here is disregarded.
+  /// Nodes that this runner did not start are ignored.
   void heard(const std::string& name);
-  /// It is not to be heard any more.
+  /// The node is not expected to be heard any more.
   void killed(const std::string& name) { lives_.erase(name); }
   /// The clock runs, or has run; the first time counts.
   void runs(Duration steady);
   void listens_anew(Duration steady) { anew_ = steady; }
 
   Verdict verdict(Duration steady) const;
-  /// Who was not heard, whether or not it has had the time. By name.
+  /// Nodes that were not heard, whether or not their time is over; ordered by name.
   std::vector<std::string> unheard() const;
   /// Who was not heard though it has had the time, or takes part since the start. By name; nobody
   /// as long as the clock does not run.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The folder a run leaves behind.
+// The folder with the results of a run.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace skein::run_tool {
 
-/// What the report needs to know of the scenario, and what air was closed in the run.
+/// Description of the run for the report, including the air that was closed.
 report::RunInfo run_info(const scenario::Scenario& scenario, bool virtual_time, double wall_seconds,
                          const std::vector<journal::Record>& records = {});
 

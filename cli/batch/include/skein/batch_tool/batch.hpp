@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `skein batch`: scenarios by seeds, in virtual time; tables, CSV and a picture of what came of it.
+// `skein batch`: scenarios times seeds in virtual time; tables, CSV and a picture of the results.
 #pragma once
 
 #include <iosfwd>

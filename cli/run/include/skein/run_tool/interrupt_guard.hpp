@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl-C as something that is asked for.
+// Ctrl-C as a flag that the program polls.
 #pragma once
 
 #include <csignal>
 
 namespace skein::run_tool {
 
-/// While it lives, Ctrl-C and a request to end are only remembered. One at a time.
+/// While a guard exists, SIGINT (Ctrl-C) and termination requests only set a flag. At most one
+/// guard at a time.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -18,8 +18,8 @@ struct Played {
     kFailed        ///< the system failed: `why`
   };
   End end = End::kFinished;
-  std::string why;                       ///< kFailed: which daemon, and what it last said
-  bool timed_out = false;                ///< kFailed: something awaited did not come
+  std::string why;                       ///< kFailed: the daemon, and its last output
+  bool timed_out = false;                ///< kFailed: an expected event did not occur in time
   std::vector<journal::Record> records;  ///< in order of time
 };
 

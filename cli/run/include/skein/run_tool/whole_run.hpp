@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scenario played to its end in virtual time and judged: `skein run --virtual` without what it
-// says.
+// Plays a scenario to its end in virtual time and checks its expectations: `skein run --virtual`
+// without its output.
 #pragma once
 
 #include <string>
@@ -27,10 +27,10 @@ WholeRun play_whole(const scenario::Scenario& scenario);
 /// That of `skein run`; kExitOk: everything is as expected.
 int exit_code_of(const WholeRun& run);
 
-/// It did not come to its mission's end, and nothing is expected of it.
+/// Whether the run did not reach the end of its mission, and the scenario has no expectations.
 bool ended_unjudged(const WholeRun& run);
 
-/// Leaves the folder that `skein run --virtual` leaves; `text` is that of the scenario.
+/// Writes the same folder as `skein run --virtual`; `text` is that of the scenario.
 Result<void, Failure> keep_run(const std::string& folder, const scenario::Scenario& scenario,
                                const std::string& text, const WholeRun& run);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What came with this program.
+// Files shipped with this program.
 #pragma once
 
 #include <string>

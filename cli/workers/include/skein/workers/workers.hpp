@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work done in processes of its own, several at once: what dies or hangs takes nothing with it.
+// Runs jobs in separate processes, several at once, so that a crash or hang affects only one job.
 #pragma once
 
 #include <cstdint>
