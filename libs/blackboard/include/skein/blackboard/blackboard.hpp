@@ -20,47 +20,50 @@
 
 namespace skein::blackboard {
 
-/// Who passes on what is not for him. Source: spec 1.3 (relaying), docs/decisions/0024.
+/// The relays: nodes that forward samples between other nodes. Source: spec 1.3 (relaying),
+/// docs/decisions/0024.
 struct Relaying {
-  std::set<NodeNumber> relays;  ///< of the whole system; none: everything goes directly
-  std::size_t most_relays = 8;  ///< that a sample may pass
+  std::set<NodeNumber> relays;  ///< of the whole system; empty: every sample goes directly
+  std::size_t most_relays = 8;  ///< greatest number of relays on the way of one sample
 };
 
 struct Config {
   NodeNumber self;
-  /// Greater at each start of the node on the same mission, at least 1: that is how others see a
-  /// restart. A daemon takes the wall clock in nanoseconds.
+  /// At least 1, and greater at each start of the node on the same mission: peers recognise a
+  /// restart by it. Daemons use the wall clock in nanoseconds.
   std::uint64_t incarnation = 1;
   std::uint32_t mission = 0;
-  std::vector<ChannelConfig> channels;  ///< all that start or end at `self`
-  std::vector<wire::Slot> world_reads;
-  Duration heartbeat_period = Duration::milliseconds(200);  ///< steady; > 0
-  /// Steady; how long an event waits for its acknowledgement before it is sent again; > 0.
+  std::vector<ChannelConfig> channels;  ///< all channels that start or end at `self`
+  std::vector<wire::Slot> world_reads;  ///< slots of the world channel that this node reads
+  Duration heartbeat_period = Duration::milliseconds(200);  ///< steady time; > 0
+  /// Steady time after which an unacknowledged event is sent again; > 0.
   Duration retransmission = Duration::milliseconds(300);
   std::size_t held_events = 1024;  ///< unacknowledged, per destination; then `send` refuses
-  /// Which life of this incarnation this is: 0, or more if the node was restarted with all it knew.
-  /// What it sends now then counts as newer than what it sent before.
+  /// Number of restarts of this incarnation with its full memory (recall_sent() and so on).
+  /// Samples of a greater life count as newer than those of a smaller one.
   std::uint32_t life = 0;
-  std::uint64_t seed = 0;                ///< of the losses
-  SlotShares shares = default_shares();  ///< of every channel whose capacity is limited
+  std::uint64_t seed = 0;                ///< of the random losses (ChannelCondition::loss)
+  SlotShares shares = default_shares();  ///< for every channel of limited capacity
   SlotLifespans lifespans = default_lifespans();
   Relaying relaying{};
-  /// Nothing told of former lives: `incarnation` is a guess (of a clock), which may be smaller than
-  /// one that peers have heard. A peer that has tells so; to it this node then is the next one
-  /// after that. Everything said to that peer is said again, to others nothing changes.
+  /// No record of former incarnations was found, so `incarnation` is a guess (from a clock) and may
+  /// be smaller than one that a peer has already heard. Such a peer reports the number it has
+  /// heard; towards that peer this node then takes the next number and sends everything again.
+  /// Nothing changes towards other peers.
   bool guesses_incarnation = false;
 };
 
-/// Long events are numbered from here on, apart from the others: those that would hold up
-/// everything else on their channel go in parts (slot Part), which take what the rest leaves and a
-/// share of their own. Such an event comes when it is whole: in the order of long events, and in
-/// none with others. It is one of more than 16 KiB, or of more than the declared capacity carries
-/// in two heartbeat periods (1 KiB at least), over a channel that carries parts. At most 16 MiB.
+/// First sequence number of long events, which are numbered apart from other events. A long event
+/// has more than 16 KiB, or more bytes than the declared capacity carries in two heartbeat periods
+/// (at least 1 KiB), and its channel carries the slot Part; at most 16 MiB. It is sent in parts, so
+/// that it does not delay everything else on its channel: parts have a share of their own and use
+/// the capacity that other slots leave. It is delivered when it is complete: in order among long
+/// events, in no order relative to other events.
 inline constexpr std::uint64_t kFirstLongEvent = std::uint64_t{1} << 50U;
 
 /// Why a sample was not sent.
 enum class Refusal : std::uint8_t {
-  kNoChannel,  ///< to the destination, or not for this slot
+  kNoChannel,  ///< there is no channel to the destination, or it does not carry this slot
   kFull,       ///< too many unacknowledged events for this destination
   kMalformed,  ///< the sample breaks the rules of the wire
   kTooLong     ///< more than 16 MiB
@@ -68,64 +71,67 @@ enum class Refusal : std::uint8_t {
 std::string_view name_of(Refusal refusal);
 
 struct SendOptions {
-  /// Events: the instant after which it must not be handled any more; the lifespan of its slot may
-  /// end before.
+  /// Events only: the instant after which the event must not be handled any more. The lifespan of
+  /// its slot (SlotLifespans) may end earlier.
   MissionTime expires = MissionTime::max();
-  /// Events: above 0, the sender is told by EventDelivered, with this number, that it arrived.
+  /// Events only: if above 0, the delivery is reported by an EventDelivered with this number.
   std::uint64_t receipt = 0;
 };
 
-/// A sample handed to the node: well formed, new, in order.
+/// A sample for the node: well formed, new, in order.
 struct Received {
   NodeNumber origin;
   ChannelKind channel = ChannelKind::kRadio;
   wire::Sample sample;
 };
 
-/// What this node believes of a peer: gone after three silent heartbeat periods (six, while others
-/// tell that there is a way from it past relays), back with the first heartbeat heard, directly or
-/// past relays. `restarted`: the peer heard is a new incarnation of the one heard before
-/// (then reported even if it was never missed).
+/// The reachability of a peer has changed, or the peer has restarted. A peer is unreachable after
+/// three heartbeat periods of silence (six while other nodes report links over which relays can
+/// forward its heartbeats), and reachable again with the first heartbeat, direct or relayed.
+/// `restarted`: that heartbeat is of a new incarnation (reported even if the peer never was
+/// unreachable).
 struct Reachability {
   NodeNumber peer;
   bool reachable = false;
   bool restarted = false;
 };
 
-/// Content that was refused at the boundary.
+/// A received sample was refused because its content is invalid.
 struct Dropped {
   wire::Slot slot = wire::Slot::kHeartbeat;
   NodeNumber origin;  ///< 0 if unknown
   std::string field;
   std::string why;
-  bool first = false;  ///< of this (slot, origin, field): worth a line in the log
+  bool first = false;  ///< first one of this (slot, origin, field): worth a line in the log
 };
 
-/// An event that was too late; reported where that was found. At the sender it means that no
-/// acknowledgement came in time: if contact broke in between, it may have been handled all the
-/// same.
+/// An event has expired; reported by the node that found it. Reported by the sender it means that
+/// no acknowledgement came in time: if contact broke meanwhile, the receiver may still have handled
+/// the event.
 struct EventExpired {
   wire::Slot slot = wire::Slot::kTaskEvent;
   NodeNumber from;
   NodeNumber to;
   std::uint64_t sequence = 0;
   std::uint64_t incarnation = 0;  ///< of the sender
-  std::uint64_t receipt = 0;      ///< at the sender, that it asked for (SendOptions)
-  /// At the sender: it went out while the peer was heard, so that only its acknowledgement may be
-  /// missing. False: over a link that carries in both directions or not at all, nobody has it.
+  std::uint64_t receipt = 0;      ///< at the sender: SendOptions::receipt
+  /// At the sender: the event was written while the peer was heard, so perhaps only its
+  /// acknowledgement is missing. False: the peer does not have it, provided that the link works in
+  /// both directions or in none.
   bool may_have_arrived = true;
 };
 
-/// At the sender: the peer has acknowledged an event whose sender asked to be told (SendOptions).
-/// Its blackboard has given it out, or found it too late or malformed; each event is reported at
-/// most once, as this or as EventExpired, and of one incarnation of the peer in the order sent.
+/// At the sender: the peer has acknowledged an event that was sent with a receipt number
+/// (SendOptions): its blackboard has handed it to its node, or found it expired or malformed. Each
+/// event is reported at most once, by this or by EventExpired, and for one incarnation of the peer
+/// in the order sent.
 struct EventDelivered {
   NodeNumber to;
   std::uint64_t receipt = 0;
 };
 
-/// Events that the receiver will never see because the sender gave them up (it reported them as
-/// expired, if it lived to do so): sequence numbers first to last.
+/// At the receiver: the events with sequence numbers `first` to `last` will never come, because the
+/// sender gave them up (and reported each as expired, unless it stopped before).
 struct EventsLost {
   NodeNumber from;
   NodeNumber to;
@@ -134,47 +140,48 @@ struct EventsLost {
   std::uint64_t incarnation = 0;  ///< of the sender
 };
 
-/// The transport refuses something: to connect or disconnect the channel, which is asked for again
-/// each heartbeat period, or a sample. Reported once until it is granted.
+/// The transport has refused to connect or disconnect a channel (retried each heartbeat period), or
+/// to write a sample. Reported once until it succeeds.
 struct TransportRefused {
   ChannelConfig channel;
   std::string why;
 };
 
-/// A peer has heard a greater incarnation of this node, and so does not hear this one. `is_next`:
-/// to it this node is the one after that from now on (Config::guesses_incarnation); else the other
-/// one lives, or this one has the wrong number. Reported once for each peer.
+/// A peer has heard a greater incarnation of this node, and so ignores this one. `is_next`: towards
+/// that peer this node takes the number after `heard` from now on (Config::guesses_incarnation);
+/// otherwise another process with this node's number runs, or `incarnation` is wrong. Reported once
+/// for each peer.
 struct TakenForOlder {
   NodeNumber peer;
   std::uint64_t heard = 0;
   bool is_next = false;
 };
 
-/// What is sent to the peer goes another way from now on.
+/// Samples to the peer take another route from now on.
 struct RouteChanged {
   NodeNumber peer;
-  std::optional<NodeNumber> via;  ///< the first relay on the way; none: directly
-  std::size_t relays = 0;         ///< on the way altogether
+  std::optional<NodeNumber> via;  ///< the first relay on the route; none: directly
+  std::size_t relays = 0;         ///< number of relays on the route
 };
 
 using Incoming = std::variant<Received, Reachability, Dropped, EventExpired, EventDelivered,
                               EventsLost, TransportRefused, RouteChanged, TakenForOlder>;
 
-/// Sends and receives by the delivery classes of spec 1.3, over any Transport. Time is given; the
-/// same calls give the same results. Laws:
+/// Sends and receives samples by the delivery classes of spec 1.3, over any Transport. Reads no
+/// clock: the same calls give the same results. Laws:
 /// - state: a node sees the last value of each (origin, slot, instance), never an older one after a
 ///   newer one; late joiners and peers that come back get it too;
-/// - event: what one incarnation of A sends to B is handled at most once, in the order sent over
-///   all event slots (long events in an order of their own: kFirstLongEvent), whatever is cut,
-///   delivered twice or restarted; and exactly once if B lives long enough in contact and it has
-///   not expired. A restarted B handles what the one before had not acknowledged (an event handled
-///   just before a crash may therefore be handled again by the next incarnation, which knows
-///   nothing of it);
+/// - event: an event that one incarnation of A sends to B is handled at most once, in the order
+///   sent over all event slots (long events in an order of their own: kFirstLongEvent), whatever is
+///   cut, delivered twice or restarted; and exactly once if it does not expire before B has been in
+///   contact for long enough. A restarted B handles the events that its former incarnation had not
+///   acknowledged (so an event handled just before a crash may be handled again, by a new
+///   incarnation without memory);
 /// - stream: at most once, newest only;
-/// - malformed content is reported and goes no further; so is what the transport refuses;
-/// - all of this holds for as long as there is a way over links that are up from one to the other
-///   past those who are declared relays (Config::relaying). A sample never passes a node twice, nor
-///   more relays than declared.
+/// - malformed content, and refusals by the transport, are reported and go no further;
+/// - the laws above hold as long as links that are up connect the two nodes, directly or over
+///   declared relays (Config::relaying). A sample never visits a node twice, and never takes more
+///   relays than Relaying::most_relays.
 /// On the world channel there are no acknowledgements: events there rely on the transport.
 /// Thread rule: one thread. Source: spec 1.3.
 class Blackboard {
@@ -185,52 +192,53 @@ class Blackboard {
   Blackboard& operator=(Blackboard&&) noexcept;
   ~Blackboard();
 
-  /// Sends to one peer over the channel to it. The header is stamped here, except its `instance`.
-  /// Gives the sequence number.
+  /// Sends a sample to one peer. Fills in the header, except its `instance`. Returns the sequence
+  /// number.
   Result<std::uint64_t, Refusal> send(wire::Sample sample, NodeNumber to, Now now,
                                       SendOptions options = {});
-  /// Sends to everybody over the world channel.
+  /// Sends a sample to all nodes over the world channel.
   Result<std::uint64_t, Refusal> publish(wire::Sample sample, Now now);
 
-  /// Sets the condition of the directed channel; without effect on a channel that this node has no
-  /// end of.
+  /// Sets the condition of a directed channel. Without effect if this node is neither of its ends.
   void set_condition(NodeNumber from, NodeNumber to, const ChannelCondition& condition, Now now);
 
-  /// Takes what has arrived and does what is due. To call when the transport notifies, after
-  /// anything was sent, and at next_wakeup() and next_expiry(): in between it does nothing. What it
-  /// gives counts as handled at the next call.
+  /// Processes arrivals and due actions (repetitions, heartbeats, expiries). Call it when the
+  /// transport notifies, after each send, and at next_wakeup() and next_expiry(); at other times it
+  /// has nothing to do. What it returns counts as handled by the node at the next call.
   std::vector<Incoming> step(Now now);
   /// Steady time at which step() is due even if nothing arrives.
   std::optional<Duration> next_wakeup() const;
-  /// Likewise in mission time: when an event expires that is not acknowledged. Cost: events held.
+  /// Mission time at which step() is due: an unacknowledged event expires. Cost: events held.
   std::optional<MissionTime> next_expiry() const;
 
-  // What the lives before this one did, in the order in which they did it and before the first
-  // step(), so that its sessions go on as if there had been a cut. Nothing is written before the
-  // peer is heard: it says what it had. Strangers are disregarded.
+  // Restoration of the sessions from the memory of former lives, so that they go on as after a cut.
+  // To be called before the first step(), in the order in which things happened. Nothing is written
+  // to a peer before it is heard, since its heartbeat says what it has received. Calls about nodes
+  // that are no peers have no effect.
 
-  /// An event was sent at `at`; it gets the sequence number that it had. Other slots: nothing.
+  /// An event was sent at `at`; it gets the same sequence number again. Other slots: no effect.
   void recall_sent(wire::Sample sample, NodeNumber to, MissionTime at, SendOptions options = {});
-  /// The peer had handled everything up to this one, of long events or of the others.
+  /// The peer had acknowledged all events up to this sequence number: all long events if it is that
+  /// of a long one, otherwise all others.
   void recall_acknowledged(NodeNumber peer, std::uint64_t sequence);
-  /// Reported as EventExpired at its sender.
+  /// An own event to `to` was reported as EventExpired.
   void recall_given_up(NodeNumber to, std::uint64_t sequence);
-  /// Handled, or reported as too late.
+  /// A received event was handled, or reported as expired.
   void recall_received(wire::Slot slot, const wire::SampleHeader& header);
   void recall_reachable(NodeNumber peer, bool reachable);
 
-  /// As last reported by Reachability; false for strangers.
+  /// As last reported by Reachability; false for nodes that are no peers.
   bool reachable(NodeNumber peer) const;
   /// Events sent to this peer and not acknowledged yet.
   std::size_t unacknowledged(NodeNumber peer) const;
-  /// States and streams for this peer that a newer value took the place of before the channel had
-  /// room for them; 0 for strangers and channels that are not limited.
+  /// Number of states and streams to this peer that a newer value replaced before the channel had
+  /// room for them; 0 for nodes that are no peers and for channels of unlimited capacity.
   std::uint64_t shed(NodeNumber peer) const;
-  /// The latest mission time that any peer wrote into what was well formed.
+  /// The latest mission time in the headers of all well-formed samples received.
   MissionTime latest_heard() const;
-  /// Up to this one all events sent to this peer are acknowledged or given up.
+  /// The sequence number up to which all events to this peer are acknowledged or given up.
   std::uint64_t settled(NodeNumber peer) const;
-  /// Likewise of long events; 0: none is.
+  /// The same for long events; 0: none is.
   std::uint64_t settled_long(NodeNumber peer) const;
 
  private:

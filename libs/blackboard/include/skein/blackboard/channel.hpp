@@ -15,12 +15,12 @@ namespace skein::blackboard {
 
 /// The number of a node in the system; names travel in the DirectoryEntry slot.
 using NodeNumber = Id<struct NodeNumberTag, std::uint32_t>;
-/// As a destination: everybody. No node has this number.
+/// As a destination: all nodes. No node has this number.
 inline constexpr NodeNumber kEverybody{0};
 
-/// The two times a blackboard lives by. Mission time stands still before the start and at the end,
-/// so expiry runs on it and everything else on steady time: that of the transport, monotonic, from
-/// any origin (the wall clock of a daemon; virtual time in the virtual runtime).
+/// The two time scales of a blackboard. Mission time stands still before the start and after the
+/// end of the mission; only expiry uses it. Everything else uses steady time: monotonic, from any
+/// origin (the steady clock of a daemon; virtual time in the virtual runtime).
 struct Now {
   MissionTime mission;
   Duration steady;
@@ -31,28 +31,29 @@ struct Now {
 enum class ChannelKind : std::uint8_t { kRadio, kOnboard, kWorld };
 std::string_view name_of(ChannelKind kind);
 
-/// A directed channel. Each node has those that start or end at it; between two nodes there is at
-/// most one in each direction. The world is one channel, whose ends do not count.
+/// A directed channel. A node's configuration has the channels that start or end at it; between two
+/// nodes there is at most one in each direction. The world is one channel; its `from` and `to` are
+/// ignored.
 struct ChannelConfig {
   NodeNumber from;
   NodeNumber to;
   ChannelKind kind = ChannelKind::kRadio;
   std::string partition;          ///< the DDS partition: "radio/marvin>ground"
-  std::vector<wire::Slot> slots;  ///< that it carries, besides the heartbeat
-  /// As long as nobody tells another condition of it, no more is written than this [bit/s], in
-  /// steady time; 0: unlimited. So a node does not ask too much of a real radio.
+  std::vector<wire::Slot> slots;  ///< the slots that it carries, besides the heartbeat
+  /// Limit on what is written [bit/s of steady time] while no ChannelCondition gives another; 0:
+  /// unlimited. Keeps a node from overloading a real radio.
   double capacity = 0;
-  /// Of these what `from` may pass on for others; empty: it is no relay.
+  /// The subset of `slots` that `from` may forward for other nodes; empty: `from` is no relay.
   std::vector<wire::Slot> relayed{};
-  /// Of these what is on its way between others only: `from` has nothing of it to say to `to`.
+  /// The subset of `slots` that is only forwarded: `from` sends no samples of its own in them.
   std::vector<wire::Slot> passing{};
   bool carries(wire::Slot slot) const;
   bool relays(wire::Slot slot) const;
-  /// Whether `from` may say it to `to`.
+  /// Whether `from` may send samples of its own in this slot.
   bool originates(wire::Slot slot) const;
 };
 
-/// A node as a channel names it.
+/// A node as channels and partitions name it.
 struct Node {
   NodeNumber number;
   std::string name;  ///< of letters, digits, '-' and '_'
@@ -60,8 +61,8 @@ struct Node {
 
 class SlotTable;
 
-/// The two directions of a radio link, with what goes between two UAVs; here as below the table
-/// says what that is, the one that ships if none is given.
+/// The two directions of a radio link between two UAVs. Here and below `table` gives the slots;
+/// without it SlotTable::shipped() does.
 std::vector<ChannelConfig> radio_link(const Node& a, const Node& b);
 std::vector<ChannelConfig> radio_link(const Node& a, const Node& b, const SlotTable& table);
 /// The radio link between the ground station and a UAV.
@@ -73,36 +74,37 @@ std::vector<ChannelConfig> station_link(const Node& station, const Node& uav,
 std::vector<ChannelConfig> onboard_link(const Node& uav, const Node& simulator);
 std::vector<ChannelConfig> onboard_link(const Node& uav, const Node& simulator,
                                         const SlotTable& table);
-/// In all its slots.
+/// The world channel with all its slots.
 ChannelConfig world_channel();
 
-/// How long so many bytes take at a capacity [bit/s] > 0.
+/// The time to transmit this many bytes at a capacity [bit/s] > 0.
 Duration airtime(std::size_t bytes, double capacity);
-/// Bytes that a sample takes of a channel: its encoding, and what carries it (RTPS with its
-/// timestamp and destination, UDP, IP).
+/// Bytes that a sample takes on a channel: its encoding and the overhead of the protocols (RTPS
+/// with timestamp and destination, UDP, IP).
 std::size_t channel_bytes(const wire::Sample& sample);
-/// Those of any heartbeat.
+/// channel_bytes() of any heartbeat.
 std::size_t heartbeat_bytes();
 
-/// What a radio channel carries besides, when one of its ends, or both, are relays: whatever any
-/// other node may have for the far end (ends.from), or this one for any other (ends.to).
+/// Which ends of a radio channel are relays, and which is the ground station.
 struct RelayEnds {
-  bool from = false;
-  bool to = false;
-  bool to_station = false;  ///< it ends at the ground station
+  bool from = false;  ///< the sender is a relay
+  bool to = false;    ///< the receiver is a relay
+  bool to_station = false;
   bool from_station = false;
 };
+/// Adds the slots that the channel carries because of relays: those of any other node for its
+/// receiver (if ends.from), and those of its sender for any other node (if ends.to).
 void add_relayed(ChannelConfig& channel, const RelayEnds& ends);
 void add_relayed(ChannelConfig& channel, const RelayEnds& ends, const SlotTable& table);
 
-/// What a directed channel does to what is sent over it. The node that sends and the node that
-/// receives are both told, so that a cut holds from both sides.
+/// The condition of a directed channel. Both its sender and its receiver are told, so that a cut
+/// takes effect at both sides.
 struct ChannelCondition {
   bool up = true;
-  /// Added before delivery, in steady time: at a scenario rate r, the mission's latency / r.
+  /// Delay before delivery, in steady time: at scenario rate r, the latency in mission time / r.
   Duration latency;
-  double loss = 0;      ///< share of stream samples that vanish, in [0, 1]
-  double capacity = 0;  ///< [bit/s], likewise in steady time; 0: what the channel declares
+  double loss = 0;      ///< share of stream samples that are lost, in [0, 1]
+  double capacity = 0;  ///< [bit/s of steady time]; 0: ChannelConfig::capacity holds
   bool operator==(const ChannelCondition&) const = default;
 };
 

@@ -11,13 +11,14 @@
 
 namespace skein::blackboard {
 
-/// One participant over UDP in a Cyclone domain of its own, so that two of one process use the
-/// network like any others; each channel has its own publisher and subscriber. A cut deletes both;
-/// at its end new ones say again what must be known. Topics, types, keys and ports are those that
-/// FastDdsTransport has, and the two work together. Decoding happens in the middleware's threads,
-/// into a mailbox. Destruction waits, two seconds at most, until all readers have got what was
-/// written to the world channel. Environment variables and files of Cyclone DDS have no effect.
-/// Can do neither keys nor discovery servers: problems_of(NetworkConfig) says so.
+/// One participant over UDP in a Cyclone domain of its own, so that two transports of one process
+/// use the network as those of two processes do; each channel has its own publisher and subscriber.
+/// A cut deletes both; after it new ones are made, which repeat the last states and the recent
+/// events. Topics, types, keys and ports are those of FastDdsTransport, and the two interoperate.
+/// Samples are decoded in the middleware's threads and put into a mailbox. Destruction waits, two
+/// seconds at most, until all readers have received the samples of the world channel. Environment
+/// variables and files of Cyclone DDS have no effect. Supports neither security keys nor discovery
+/// servers (problems_of(NetworkConfig)).
 class CycloneDdsTransport final : public Transport {
  public:
   explicit CycloneDdsTransport(DdsConfig config);

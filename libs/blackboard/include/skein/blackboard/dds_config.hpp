@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a transport over DDS is told, whatever the vendor.
+// Configuration of a transport over DDS, the same for all vendors.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,17 @@ struct DdsConfig {
   std::uint32_t domain = 0;      ///< 0 to 100, so that its ports stay below the ephemeral ones
   std::string participant_name;  ///< shown by DDS tools
   NetworkConfig network;
-  /// Warnings and errors of the middleware, one line each, from any of its threads; they go nowhere
-  /// else. The log of Fast DDS is one per process: the last transport opened receives it.
+  /// Receives the warnings and errors of the middleware, one line each, from any of its threads;
+  /// they go nowhere else. Fast DDS has one log per process: the last transport opened receives it.
   std::function<void(const std::string&)> log;
-  /// With keys: who has which number. A sample that says it is of a node whose certificate its
-  /// writer does not have is malformed. Empty: that is not checked (a spy).
+  /// With keys: the names of the nodes, as in their certificates. A sample is malformed if its
+  /// writer's certificate does not entitle it to the sample's origin. Empty: not checked (a spy).
   std::map<NodeNumber, std::string> names = {};
-  /// All endpoints are made at the beginning, so that others can find them before they are used:
-  /// for programs that write what they have and end. Else most are made when they are needed.
+  /// Makes all endpoints at the beginning, so that they are discovered before they are used: for
+  /// programs that write a few samples and end. Otherwise most are made when they are needed.
   bool endpoints_at_once = false;
-  /// With keys, Fast DDS: told of all that are found, and of those who have proved who they are.
-  /// Null: nobody wants to know.
+  /// With keys, Fast DDS: receives the beginning and end of each authentication handshake. May be
+  /// null.
   std::shared_ptr<Handshakes> handshakes = {};
 };
 

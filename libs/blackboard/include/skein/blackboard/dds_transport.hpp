@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The blackboard's transport over the DDS that was chosen.
+// The blackboard's transport over the configured DDS.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace skein::blackboard {
 
-/// Of the vendor that config.network.dds names.
+/// A transport of the vendor `config.network.dds`.
 std::unique_ptr<Transport> make_dds_transport(DdsConfig config);
 
 }  // namespace skein::blackboard

@@ -8,7 +8,7 @@
 
 namespace skein::blackboard {
 
-/// As idl/ names it: "skein::idl::Telemetry".
+/// The name of the slot's type in idl/: "skein::idl::Telemetry".
 inline std::string dds_type_of(wire::Slot slot) {
   return "skein::idl::" + std::string(wire::slot_name(slot));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A DDS domain of one's own on this machine.
+// Exclusive use of a DDS domain on this machine.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace rtps {
 class NamedLock;
 }
 
-/// Holds a DDS domain id for as long as it lives; it ends with the process in any case and leaves
-/// no file. Other Skein processes in the same network namespace will not claim the same domain.
+/// Reserves a DDS domain id until it is destroyed or the process ends; leaves no file. Other Skein
+/// processes in the same network namespace cannot claim the same domain meanwhile.
 class DomainLease {
  public:
   DomainLease(DomainLease&& other) noexcept;

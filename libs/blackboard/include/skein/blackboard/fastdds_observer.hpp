@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Watching a DDS domain through Fast DDS.
+// Observation of a DDS domain through Fast DDS.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ struct ObserverConfig {
   NetworkConfig network;
 };
 
-/// One participant that has readers only. It sees what programs of any vendor say of themselves,
-/// and reads any type, of which it knows no more than the bytes.
+/// A participant with readers only. It discovers programs of any vendor, and reads topics of any
+/// type as bytes.
 class FastDdsObserver final : public Observer {
  public:
   explicit FastDdsObserver(ObserverConfig config);

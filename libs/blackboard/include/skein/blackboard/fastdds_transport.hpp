@@ -12,10 +12,11 @@
 namespace skein::blackboard {
 
 /// One participant over UDP; each channel has its own publisher and subscriber. A cut deletes
-/// both; at its end new ones say again what must be known (docs/decisions/0022). Topics are named
-/// after the slots, types are those of idl/. Decoding happens in the middleware's threads, into a
-/// mailbox. Destruction waits, two seconds at most, until all readers have got what was written to
-/// the world channel. Environment variables and profile files of Fast DDS have no effect.
+/// both; after it new ones are made, which repeat the last states and the recent events
+/// (docs/decisions/0022). Topics are named after the slots, types are those of idl/. Samples are
+/// decoded in the middleware's threads and put into a mailbox. Destruction waits, two seconds at
+/// most, until all readers have received the samples of the world channel. Environment variables
+/// and profile files of Fast DDS have no effect.
 class FastDdsTransport final : public Transport {
  public:
   explicit FastDdsTransport(DdsConfig config);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Topics of programs that know nothing of Skein, as bytes.
+// DDS topics of programs that are not part of Skein, as bytes.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace skein::blackboard {
 
-/// A topic without keys, volatile, of which the last `depth` samples count; in no partition.
+/// A topic without keys; durability volatile, history keep-last `depth`, default partition.
 struct ForeignTopic {
   std::string name;
   std::string type;
@@ -25,14 +25,14 @@ struct ForeignTopic {
 struct ForeignConfig {
   std::uint32_t domain = 0;      ///< 0 to 100
   std::string participant_name;  ///< shown by DDS tools
-  NetworkConfig network;         ///< keys do not count: others have none
+  NetworkConfig network;         ///< its `keys` are ignored: foreign programs have none
   std::vector<ForeignTopic> writes;
   std::vector<ForeignTopic> reads;
 };
 
-/// A participant of its own in a domain of others: writes and reads what is already, or still,
-/// bytes of CDR behind their 4-byte header. Thread rule: one thread, but for what `on_arrival` is
-/// given, which any of the middleware's threads may call.
+/// A participant in a foreign DDS domain. Writes and reads samples as CDR bytes behind their 4-byte
+/// encapsulation header. Thread rule: one thread, except that the middleware calls the callback of
+/// on_arrival() from any of its threads.
 class ForeignTopics {
  public:
   static Result<std::unique_ptr<ForeignTopics>, Failure> open(ForeignConfig config);
@@ -40,15 +40,15 @@ class ForeignTopics {
   ForeignTopics(const ForeignTopics&) = delete;
   ForeignTopics& operator=(const ForeignTopics&) = delete;
 
-  /// `topic` is an index into `writes`. False if the middleware does not take it. Never blocks for
-  /// longer than 100 ms, and only if a reader that wants all does not keep up.
+  /// `topic` is an index into `writes`. False if the middleware does not accept the sample. Blocks
+  /// only if a reliable reader does not keep up, and for at most 100 ms.
   bool write(std::size_t topic, std::span<const std::uint8_t> bytes);
 
   struct Arrival {
     std::size_t topic = 0;  ///< index into `reads`
     std::vector<std::uint8_t> bytes;
   };
-  /// What has come; at most kWaiting are kept, of more the oldest are lost.
+  /// The samples that arrived since the last call; only the last kWaiting are kept.
   std::vector<Arrival> take();
   static constexpr std::size_t kWaiting = 64;
   void on_arrival(std::function<void()> notify);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which participants of a secured domain have been found and have not yet proved who they are.
+// The authentication handshakes with participants of a secured DDS domain.
 #pragma once
 
 #include <memory>
@@ -10,14 +10,15 @@
 
 namespace skein::blackboard {
 
-/// A participant is known by its identity (GUID) and by the name that it gives itself, which until
-/// the handshake has ended is proved by nothing. Thread rule: any thread.
+/// The participants that were discovered and are not authenticated yet. A participant is known by
+/// its GUID and by the name that it gives itself, which is unproved until the handshake has ended.
+/// Thread rule: any thread.
 class Handshakes {
  public:
   Handshakes();
   ~Handshakes();
 
-  /// Found, at this steady time. What has ended before counts as ended.
+  /// The participant was discovered at this steady time. No effect if its handshake has ended.
   void begun(const std::string& guid, const std::string& name, Duration steady);
   void ended(const std::string& guid);
   void gone(const std::string& guid);
@@ -26,7 +27,7 @@ class Handshakes {
     std::string name;
     Duration lasts;
   };
-  /// Those that have not ended, the one that lasts longest first.
+  /// The handshakes that have not ended, the oldest first.
   std::vector<Open> open(Duration steady) const;
 
  private:

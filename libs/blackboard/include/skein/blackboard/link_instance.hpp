@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The instance of a LinkState.
+// The instance number of a LinkState.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace skein::blackboard {
 
-/// One for each direction of each pair. Precondition: numbers of nodes are below 65,536.
+/// The instance for the radio direction `from` to `to`. Precondition: both are below 65,536.
 inline std::uint32_t link_instance(NodeNumber from, NodeNumber to) {
   constexpr std::uint32_t kNumbers = 1U << 16;
   SKEIN_EXPECTS(from.value() < kNumbers && to.value() < kNumbers);

@@ -19,37 +19,37 @@ namespace skein::blackboard {
 
 class MemoryTransport;
 
-/// What the transports of one system share: it connects writers and readers by partition, at once
-/// and in a fixed order (that of `open`). It behaves as DDS does where that matters: a reader that
-/// connects gets the last states and the recent events of the writer again.
+/// The shared medium of the transports of one system: it connects writers and readers by partition,
+/// immediately and in a fixed order (that of `open`). Like DDS, it gives a reader that connects the
+/// last states and the recent events of the writer again.
 /// Thread rule: one thread for the hub and all its transports. Must outlive them.
-/// A link state of the world reaches the two nodes it is about, and who reads by a pattern: there
-/// are as many as pairs of nodes, and everybody else would throw them away.
-/// Cost: a sample is looked at by those who read its partition, whoever else there is.
+/// A LinkState on the world channel reaches only the two nodes of the link, and readers by pattern:
+/// there are as many as pairs of nodes, and other nodes would discard them.
+/// Cost of a sample: the readers of its partition.
 class MemoryHub {
  public:
-  /// Gives a reader side something as if from the wire, whatever it is; to every node that has this
-  /// partition up. For tests of what arrives malformed.
+  /// Delivers `content`, as if from the wire, to every node whose channel on this partition is up.
+  /// For tests of malformed content.
   void inject(const std::string& partition, const std::variant<wire::Sample, Malformed>& content);
-  /// Whether what `from` writes to `to` over radio gets there; at the start it does. Neither of the
-  /// two is told, as in flight, where the radio itself cuts. What is written meanwhile does not
-  /// come later, but for the last states, with the restoration: less than what DDS does.
+  /// Switches the radio direction `from` to `to`; initially on. Neither node is told, as in flight,
+  /// where the radio itself cuts. Samples written while it is off are lost, except that the last
+  /// states are delivered when it is on again (DDS would also deliver recent events).
   void carry(NodeNumber from, NodeNumber to, bool carried);
 
  private:
   friend class MemoryTransport;
-  /// A channel of a node.
+  /// One node's side of a channel.
   struct End {
     MemoryTransport* node = nullptr;
     std::size_t channel = 0;
     bool operator==(const End&) const = default;
   };
-  /// Who writes under a name, and who reads that, by a pattern too; in the order of `open`.
+  /// The writers of a partition and its readers, by name or by pattern; in the order of `open`.
   struct Partition {
     std::vector<End> writers, readers;
-    /// Of the readers, by their nodes: those who read by this name, not by a pattern.
+    /// The readers by name, by their nodes.
     std::map<NodeNumber, std::vector<End>> of_nodes;
-    std::vector<End> listeners;  ///< of the readers: by a pattern
+    std::vector<End> listeners;  ///< the readers by pattern
 
     void listen(const End& reader) {
       readers.push_back(reader);
@@ -65,13 +65,13 @@ class MemoryHub {
   bool carries(const MemoryTransport& from, const MemoryTransport& to) const;
 
   std::uint64_t opened_ = 0;
-  std::map<std::string, Partition> partitions_;               ///< that are written, or read by name
-  std::vector<std::pair<std::string, End>> pattern_readers_;  ///< of any partition that matches
+  std::map<std::string, Partition> partitions_;               ///< written, or read by name
+  std::vector<std::pair<std::string, End>> pattern_readers_;  ///< pattern and reader
   std::set<std::pair<NodeNumber, NodeNumber>> silenced_;      ///< from, to
 };
 
-/// One node's side of a MemoryHub. Its destruction is the death of the node: what it wrote and
-/// nobody had received is gone.
+/// One node's side of a MemoryHub. Its destruction models the death of the node: samples that it
+/// wrote and nobody has received are lost.
 class MemoryTransport final : public Transport {
  public:
   explicit MemoryTransport(MemoryHub& hub) : hub_(hub) {}
@@ -87,23 +87,23 @@ class MemoryTransport final : public Transport {
   friend class MemoryHub;
   /// Slot, origin, destination, instance.
   using StateKey = std::tuple<wire::Slot, std::uint32_t, std::uint32_t, std::uint32_t>;
-  /// What a writer keeps for readers that connect later.
+  /// The samples that a writer keeps for readers that connect later.
   struct Kept {
     std::map<StateKey, wire::Sample> states;
     std::list<wire::Sample> events;
-    /// Of the world, what is about two nodes only; and by either of the two.
+    /// The link states of the world channel, and an index by either node of the link.
     std::map<StateKey, wire::LinkState> links;
     std::map<NodeNumber, std::map<StateKey, const wire::LinkState*>> links_of;
   };
   struct Channel {
-    bool up = true;  // what each sample asks for, together
+    bool up = true;  // the members that each sample reads stand together (cache)
     bool writes = false;
     bool reads = false;
     std::bitset<wire::kSlotCount> read_slots;
     bool by_pattern = false;
     ChannelKind kind = ChannelKind::kRadio;
     MemoryHub::Partition* partition = nullptr;
-    std::unique_ptr<Kept> kept;  ///< most channels never have anything
+    std::unique_ptr<Kept> kept;  ///< null until needed: most channels never keep a sample
   };
   using KeptState = std::pair<StateKey, wire::Sample>;
 
@@ -112,11 +112,11 @@ class MemoryTransport final : public Transport {
   void put_to(const std::vector<MemoryHub::End>& readers, std::size_t channel,
               const wire::Sample& sample);
   void take_what_is_kept();
-  /// Of other nodes.
+  /// The writers of other nodes that this channel reads.
   std::vector<MemoryHub::End> writers_for(std::size_t channel);
   static void replay(const MemoryHub::End& writer, const MemoryHub::End& reader);
   static void replay_states(const MemoryHub::End& writer, const MemoryHub::End& reader);
-  /// For that reader, in the order of their keys.
+  /// The kept states that the reader is to get, in the order of their keys.
   static std::vector<KeptState> states_for(const Channel& writer, const MemoryHub::End& reader);
   static bool wants(const MemoryHub::End& reader, wire::Slot slot);
   bool is_radio(std::size_t channel) const;
@@ -125,10 +125,10 @@ class MemoryTransport final : public Transport {
 
   MemoryHub& hub_;
   NodeNumber self_;
-  std::uint64_t order_ = 0;  ///< in which it was opened
+  std::uint64_t order_ = 0;  ///< rank among the transports of the hub, by open()
   std::vector<Channel> channels_;
   std::vector<Arrival> mailbox_;
-  std::size_t last_taken_ = 0;  ///< so many at once
+  std::size_t last_taken_ = 0;  ///< size of the last batch that take() returned
   std::function<void()> notify_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a node finds and reaches the others over the network.
+// Network configuration of a node: DDS vendor, interfaces, discovery, keys.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace skein::blackboard {
 
-/// Which DDS carries the samples. Nodes of both work together in one system.
+/// The DDS implementation that carries the samples. Nodes of both interoperate in one system.
 enum class DdsVendor : std::uint8_t { kFastDds, kCycloneDds };
 /// "fastdds", "cyclonedds".
 std::string_view name_of(DdsVendor vendor);
@@ -24,31 +24,31 @@ struct NetworkConfig {
   DdsVendor dds = DdsVendor::kFastDds;
   /// Addresses of the interfaces to use, IPv4; the default stays on this machine.
   std::vector<std::string> interfaces = {"127.0.0.1"};
-  /// Whether others are looked for by multicast, and heard so. Those on this machine are looked for
-  /// by unicast on the loopback interface, and on all others if there is no multicast.
+  /// Whether discovery uses multicast. Programs on this machine are also looked for by unicast on
+  /// the loopback interface, and without multicast on all its other interfaces.
   bool multicast = true;
-  /// Where else others are looked for: "10.0.0.2" (the first eight programs of that machine) or
-  /// "10.0.0.2:9160" (the program that has this port). One of two that are to meet must name the
-  /// other.
+  /// Further addresses for discovery by unicast: "10.0.0.2" (the first eight programs of that
+  /// machine) or "10.0.0.2:9160" (the program with this port). Of two programs without multicast at
+  /// least one must name the other.
   std::vector<std::string> peers;
-  /// Discovery servers, "10.0.0.1:11811", in the order of their ids (0, 1, …). If there is one,
-  /// others are found through it alone: neither multicast nor peers count. Fast DDS only.
+  /// Discovery servers, "10.0.0.1:11811", in the order of their ids (0, 1, …). If there are any,
+  /// discovery uses nothing else: `multicast` and `peers` are ignored. Fast DDS only.
   std::vector<std::string> discovery_servers;
-  /// Folder with the keys of this node (scripts/make-keys); empty: anybody may take part. Fast
+  /// Folder with the keys of this node (scripts/make-keys); empty: the domain is not secured. Fast
   /// DDS only.
   std::string keys;
 };
 
 struct NetworkAddress {
   std::string address;  ///< IPv4
-  unsigned port = 0;    ///< 0: none was given
+  unsigned port = 0;    ///< 0: not given
 };
 
 /// "10.0.0.2" or "10.0.0.2:9160".
 Result<NetworkAddress, Failure> parse_address(std::string_view text);
 
-/// Every address of the configuration that is none, and what the DDS that is chosen cannot do, one
-/// sentence each.
+/// All problems of the configuration, one sentence each: malformed addresses, and options that the
+/// chosen DDS does not support.
 std::vector<std::string> problems_of(const NetworkConfig& network);
 
 }  // namespace skein::blackboard

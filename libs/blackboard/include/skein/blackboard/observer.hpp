@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The port through which a DDS domain is watched: who takes part, which endpoints there are, and
-// the bytes of any topic.
+// The port through which a DDS domain is observed: its participants, its endpoints, and the bytes
+// of any topic.
 #pragma once
 
 #include <cstdint>
@@ -15,33 +15,33 @@
 
 namespace skein::blackboard {
 
-/// In the order of DDS: each gives what those before it give.
+/// In the order of DDS: each includes the guarantees of those before it.
 enum class Durability : std::uint8_t { kVolatile, kTransientLocal, kTransient, kPersistent };
 
-/// Of QoS, what decides whether a writer and a reader may be matched, and a writer's lifespan.
+/// The QoS policies that decide whether a writer and a reader match, and a writer's lifespan.
 struct EndpointQos {
   bool reliable = false;
   Durability durability = Durability::kVolatile;
   bool exclusive = false;  ///< ownership
-  /// Between two samples of an instance; none: max().
+  /// Longest time between two samples of an instance; max(): none.
   Duration deadline = Duration::max();
   Duration lifespan = Duration::max();
   bool operator==(const EndpointQos&) const = default;
 };
 
-/// A process, or a part of one, that takes part in the domain.
+/// A DDS participant of the domain.
 struct Participant {
   std::string guid;  ///< 24 hexadecimal digits
-  std::string name;  ///< as it calls itself; may be empty
+  std::string name;  ///< its participant name; may be empty
   std::string vendor;
-  std::vector<std::string> addresses;  ///< "10.0.0.1:7411", of its data
-  std::string description;             ///< see program_description.hpp; empty: it says nothing
+  std::vector<std::string> addresses;  ///< "10.0.0.1:7411": its locators for user data
+  std::string description;             ///< its user data, see program_description.hpp; may be empty
   bool operator==(const Participant&) const = default;
 };
 
 struct Endpoint {
-  std::string guid;         ///< its participant's, a dot, and 8 digits
-  std::string participant;  ///< guid
+  std::string guid;         ///< GUID of its participant, a dot, and 8 digits
+  std::string participant;  ///< GUID
   bool writer = false;
   bool keyed = false;
   std::string topic, type;
@@ -50,16 +50,16 @@ struct Endpoint {
   bool operator==(const Endpoint&) const = default;
 };
 
-/// A participant was found, or says something else of itself.
+/// A participant was discovered, or (`changed`) its data changed.
 struct ParticipantSeen {
   Participant participant;
   bool changed = false;
 };
 struct ParticipantGone {
   std::string guid;
-  bool silent = false;  ///< it did not say goodbye: its lease ran out
+  bool silent = false;  ///< its lease expired without a farewell
 };
-/// An endpoint was found, or its QoS (that is, mostly, its partition) is another.
+/// An endpoint was discovered, or (`changed`) its QoS changed, mostly its partitions.
 struct EndpointSeen {
   Endpoint endpoint;
   bool changed = false;
@@ -67,31 +67,31 @@ struct EndpointSeen {
 struct EndpointGone {
   std::string guid;
 };
-/// A sample as it came, or that an instance was disposed of or left by its writers.
+/// A sample, or the notice that an instance was disposed of or has no writer left.
 struct SampleSeen {
   std::string topic;
-  std::string writer;               ///< guid
-  std::string partition;            ///< of its writer, the first; empty: the default one
-  std::int64_t sent = 0;            ///< by the writer's clock [ns since 1970]; 0: it does not say
-  std::int64_t heard = 0;           ///< by this machine's [ns since 1970]
-  Duration at;                      ///< likewise, steady
-  std::vector<std::uint8_t> bytes;  ///< CDR behind its 4-byte header; none: the instance is gone
+  std::string writer;               ///< GUID
+  std::string partition;            ///< first partition of the writer; empty: the default one
+  std::int64_t sent = 0;            ///< by the writer's clock [ns since 1970]; 0: unknown
+  std::int64_t heard = 0;           ///< arrival by this machine's clock [ns since 1970]
+  Duration at;                      ///< arrival in steady time
+  std::vector<std::uint8_t> bytes;  ///< CDR behind its 4-byte header; empty: the instance is gone
 };
 
 using Sighting =
     std::variant<ParticipantSeen, ParticipantGone, EndpointSeen, EndpointGone, SampleSeen>;
 
-/// What an observer reads.
+/// A topic that an observer reads.
 struct Subscription {
   std::string topic, type;
   bool keyed = true;
-  std::vector<std::string> partitions;  ///< with * and ? as DDS has them
-  EndpointQos qos;                      ///< asked for
+  std::vector<std::string> partitions;  ///< DDS patterns, with * and ?
+  EndpointQos qos;                      ///< requested by the reader
   bool operator==(const Subscription&) const = default;
 };
 
-/// Watches without a writer of its own. Discovery is told from open() on, samples only of what
-/// read() asks for. Thread rule: all calls from one thread; the callback comes from any.
+/// Observes a domain without writing. Reports discovery from open() on, and samples of the topics
+/// given to read(). Thread rule: all calls from one thread; the callback comes from any.
 class Observer {
  public:
   Observer() = default;
@@ -99,22 +99,23 @@ class Observer {
   Observer& operator=(const Observer&) = delete;
   virtual ~Observer() = default;
 
-  /// Once, before everything else.
+  /// To be called once, before everything else.
   virtual Result<void, Failure> open() = 0;
-  /// From now on. Fails where the topic is read already with another type, for one.
+  /// Reads the topic from now on. Fails, for example, if it is read already with another type.
   virtual Result<void, Failure> read(const Subscription& subscription) = 0;
-  /// What was seen since the last call, in order.
+  /// The sightings since the last call, in order.
   virtual std::vector<Sighting> take() = 0;
-  /// Called soon after something was seen; it must not call back and not block.
+  /// Sets the callback that is called soon after each sighting. It must neither block nor call the
+  /// observer.
   virtual void on_sighting(std::function<void()> notify) = 0;
 };
 
-/// Why DDS keeps a writer and a reader of the same topic apart, apart from partitions: a sentence
-/// for each cause. Empty: it does not. Source: DDS 1.4, 2.2.3.
+/// Why DDS does not match a writer and a reader of the same topic, partitions left aside: one
+/// sentence for each cause. Empty: they match. Source: DDS 1.4, 2.2.3.
 std::vector<std::string> refusals(const Endpoint& writer, const Endpoint& reader);
 
-/// Whether a writer and a reader in these partitions meet. Source: DDS 1.4, 2.2.3.13: patterns as
-/// of fnmatch, of which at most one side's counts.
+/// Whether a writer and a reader in these partitions match. Patterns are those of fnmatch; two
+/// different patterns do not match. Source: DDS 1.4, 2.2.3.13.
 bool partitions_meet(const std::vector<std::string>& a, const std::vector<std::string>& b);
 
 }  // namespace skein::blackboard

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Watching a DDS domain without reading in it.
+// Observation of a DDS domain by packet capture, without readers.
 #pragma once
 
 #include <memory>
@@ -8,12 +8,12 @@
 
 namespace skein::blackboard {
 
-/// Discovery as FastDdsObserver sees it; samples are not sent to it, but seen as they pass the
-/// interfaces of this machine on their way to others: the kernel copies each datagram once, writers
-/// and readers do nothing for it. So it sees what is said while it looks, and nothing that was said
-/// before; nothing that nobody else reads; of another machine's what comes here. It needs
-/// CAP_NET_RAW, and sees nothing of what is protected by keys: with keys open() fails. on_sighting
-/// tells of discovery only: samples are there at the next take(). At least one take() a second.
+/// Discovery works as in FastDdsObserver. Samples are captured as they pass the interfaces of this
+/// machine on their way to other programs: the kernel copies each datagram once, and writers and
+/// readers have no extra work. So samples are seen only if some reader gets them, if they cross
+/// this machine, and if they are sent after read(). Needs CAP_NET_RAW. Cannot read secured domains:
+/// with keys open() fails. on_sighting() reports discovery only; samples are there at the next
+/// take(). take() has to be called at least once a second.
 class PassiveObserver final : public Observer {
  public:
   explicit PassiveObserver(ObserverConfig config);
@@ -23,7 +23,7 @@ class PassiveObserver final : public Observer {
   Result<void, Failure> read(const Subscription& subscription) override;
   std::vector<Sighting> take() override;
   void on_sighting(std::function<void()> notify) override;
-  /// Datagrams that passed and were not seen, since there was too much at once.
+  /// Number of datagrams that were dropped because the capture was overloaded.
   std::uint64_t lost() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each participant of ours says of its program to all others, in DDS's user data.
+// The description of a Skein program, which its DDS participant announces as user data.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,12 @@ struct ProgramDescription {
   bool operator==(const ProgramDescription&) const = default;
 };
 
-/// Of this program.
+/// The description of this program.
 ProgramDescription program_description();
 
 /// "skein 0.1.0 layout 0123456789abcdef".
 std::string to_text(const ProgramDescription& description);
-/// Nothing where it is none: another program, or one of before there were any.
+/// Nothing if the text is no description: a foreign program, or an old Skein without descriptions.
 std::optional<ProgramDescription> parse_program_description(std::string_view text);
 
 }  // namespace skein::blackboard

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long what is said in a slot counts.
+// The lifespans of events, by slot.
 #pragma once
 
 #include <array>
@@ -10,15 +10,15 @@
 
 namespace skein::blackboard {
 
-/// By slot, in the order of wire::Slot: the mission time after which an event must not be handled
-/// any more, counted from when it is sent; none: as long as its sender says. States and streams
-/// have none, since a newer value takes their place.
+/// By slot, in the order of wire::Slot: the span of mission time after sending in which an event
+/// may be handled; none: only its sender limits it (SendOptions::expires). States and streams have
+/// no lifespan, since newer values replace them.
 using SlotLifespans = std::array<std::optional<Duration>, wire::kSlotCount>;
 
-/// Those of SlotTable::shipped().
+/// The lifespans of SlotTable::shipped().
 const SlotLifespans& default_lifespans();
 
-/// When an event that is sent at `sent` expires, whose sender says `wanted`.
+/// The instant at which an event expires that is sent at `sent` with SendOptions::expires `wanted`.
 MissionTime expiry_of(wire::Slot slot, const SlotLifespans& lifespans, MissionTime sent,
                       MissionTime wanted);
 

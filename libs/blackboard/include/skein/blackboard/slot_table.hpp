@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who says what to whom, as data.
+// The flow of slots between the kinds of nodes, as data.
 #pragma once
 
 #include <array>
@@ -19,25 +19,25 @@
 
 namespace skein::blackboard {
 
-/// Kinds of nodes, as far as slots are concerned, and the world channel, to which some say what
-/// others read there. kFunctional: what plays a vehicle, the simulator too; kOthers: runner, spies.
+/// Kinds of nodes, as far as slots are concerned, and the world channel as a sender and a receiver.
+/// kFunctional: functional layers, the simulator included; kOthers: runner and spies.
 enum class Party : std::uint8_t { kGround, kUav, kFunctional, kSim, kOperator, kOthers, kWorld };
 inline constexpr std::size_t kParties = 7;
 std::string_view name_of(Party party);
 
-/// Which slots each kind of node produces, needs and relays, with what they get of a channel: the
-/// content of scenarios/slots.yaml. Immutable; any thread. Source: spec 1.3.
+/// Which slots each kind of node produces, needs and relays, their shares of a channel and their
+/// lifespans: the content of scenarios/slots.yaml. Immutable; any thread. Source: spec 1.3.
 class SlotTable {
  public:
-  /// As it was when this was built.
+  /// The table of scenarios/slots.yaml at build time.
   static const SlotTable& shipped();
 
-  /// What goes from the one to the other, in the order of wire::Slot; without the heartbeat, which
-  /// every channel carries. Cost: the slots.
+  /// The slots that `from` sends to `to`, in the order of wire::Slot; without the heartbeat, which
+  /// every channel carries. Cost: the number of slots.
   std::vector<wire::Slot> between(Party from, Party to) const;
-  /// What goes over radio one way or another: relays pass it on.
+  /// The slots that relays forward.
   std::vector<wire::Slot> relayed() const;
-  /// Everything on the world channel.
+  /// The slots of the world channel.
   std::vector<wire::Slot> of_world() const;
   const SlotShares& shares() const { return shares_; }
   const SlotLifespans& lifespans() const { return lifespans_; }
@@ -50,12 +50,12 @@ class SlotTable {
   SlotLifespans lifespans_{};
 };
 
-/// Reads the format of scenarios/slots.yaml: rows given take the place of those of `base`. `file`
-/// is for messages. Every error at once: unknown slots, nodes and keys, a class that is not that of
-/// the IDL, fractions that are too much for a channel, lifespans of what is no event.
+/// Reads the format of scenarios/slots.yaml: the rows given replace those of `base`. `file` is for
+/// messages. Returns all errors: unknown slots, nodes and keys, a class other than in the IDL,
+/// fractions that exceed a channel, lifespans of slots that are not events.
 Result<SlotTable, Diagnostics> read_slot_table(std::string_view text, const std::string& file,
                                                const SlotTable& base);
-/// Likewise of a document that was parsed: a map with the key `slots` and no other.
+/// The same for a parsed document: a map with the only key `slots`.
 Result<SlotTable, Diagnostics> read_slot_table(const config::Value& document,
                                                const std::string& file, const SlotTable& base);
 
