@@ -16,9 +16,9 @@
 
 namespace skein::node {
 
-/// One thread, jobs in order of arrival. `submit` and `take_done` are for the daemon's loop;
-/// `notify` is called from the job thread after each job. Destruction waits for the job that runs
-/// and drops those that wait.
+/// Runs jobs in one thread, in order of arrival. `submit` and `take_done` are for the daemon's
+/// loop; `notify` is called from the job thread after each job. Destruction waits for the running
+/// job and drops the waiting ones.
 class JobRunner {
  public:
   explicit JobRunner(std::function<void()> notify);
@@ -27,7 +27,7 @@ class JobRunner {
   ~JobRunner();
 
   void submit(StartJob job);
-  /// Tells the job, whether it runs or waits, that it has had its time. Unknown ones: nothing.
+  /// Makes the clock of a running or waiting job say that its time is up. Unknown id: no effect.
   void stop(std::uint64_t id);
   std::vector<JobDone> take_done();
 
@@ -40,7 +40,7 @@ class JobRunner {
   std::deque<StartJob> waiting_;
   std::vector<JobDone> done_;
   std::map<std::uint64_t, std::shared_ptr<std::atomic<bool>>>
-      stopped_;  ///< of jobs that are not done
+      stopped_;  ///< stop flags of the jobs that are not done
   bool stopping_ = false;
   std::thread thread_;
 };

@@ -12,20 +12,20 @@
 
 namespace skein::node {
 
-/// What a memory is of, seen before anything is made of it.
+/// Summary of a memory, read before its inputs are replayed.
 struct Survey {
-  std::uint64_t incarnation = 0;   ///< the last; 0: there is nothing in it
-  std::uint32_t lives = 0;         ///< of it, that ended
-  std::uint32_t births = 0;        ///< incarnations: the last one counts to the peers
-  std::set<std::uint64_t> unsent;  ///< see Unsent; of the last incarnation
+  std::uint64_t incarnation = 0;   ///< the last incarnation; 0: the memory is empty
+  std::uint32_t lives = 0;         ///< number of ended lives of the last incarnation
+  std::uint32_t births = 0;        ///< number of incarnations; peers know the last one
+  std::set<std::uint64_t> unsent;  ///< Unsent::send of the last incarnation
 };
 Result<Survey, Failure> survey(const InputLog& memory);
 
-/// Gives the node what its former lives were given, tells the blackboard what they sent and
-/// received, and keeps what is left to be done. A job's work is done again, here and now.
+/// Replays the inputs of former lives to the node, restores the blackboard's sessions, and collects
+/// the effects that are still to be carried out. The work of jobs is run again, synchronously.
 class Recollection {
  public:
-  /// Without a blackboard nobody is told.
+  /// `blackboard` may be null: then no sessions are restored.
   Recollection(Node& node, blackboard::Blackboard* blackboard, Survey survey)
       : node_(node), blackboard_(blackboard), survey_(std::move(survey)) {}
 
@@ -37,12 +37,13 @@ class Recollection {
   std::uint64_t sends() const { return sends_; }
   const std::map<NodeNumber, bool>& reachable() const { return reachable_; }
 
-  // To be done at the beginning of the next life.
+  // Effects to be carried out at the beginning of the next life.
 
-  /// The last states, of which the wire forgot the writer; lines that had not left; jobs that had
-  /// not ended, and which of them nobody wants; whether the node had finished.
+  /// The last states sent and published (the former process's writers are gone), lines of the event
+  /// log that had not left, jobs that had not ended with the StopJobs for them, and Finish if the
+  /// node had finished.
   Effects left();
-  /// Of that, what is said of the world: for an incarnation that forgot the rest.
+  /// The published ones of left(): for an incarnation that forgot the rest.
   Effects left_of_the_world();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Somebody in the process of a node's daemon: a console.
+// The port for an operator console inside the process of a node's daemon.
 #pragma once
 
 #include <functional>
@@ -11,16 +11,17 @@
 
 namespace skein::node {
 
-/// Where the daemon stands.
+/// Time and clock phase of the daemon.
 struct DaemonState {
   blackboard::Now now;
   double rate = 1;  ///< mission seconds per second
   wire::ClockPhase phase = wire::ClockPhase::kHolding;
 };
 
-/// Sees what a node is given, sends (once for each addressee) and publishes, and speaks to it as
-/// one member of the roster would over the world channel. Thread rule: all calls come from the
-/// daemon's thread, which must not be held up; `wake` may be called from any.
+/// Observes the samples that the node receives, sends (once for each addressee) and publishes, and
+/// its records; and sends samples to the node as a member of the roster would over the world
+/// channel. Thread rule: all calls come from the daemon's thread, and must not block; `wake` may be
+/// called from any thread.
 class Companion {
  public:
   Companion() = default;
@@ -28,13 +29,13 @@ class Companion {
   Companion& operator=(const Companion&) = delete;
   virtual ~Companion() = default;
 
-  /// Once, before everything else: `wake` makes the daemon take soon.
+  /// Called once, before everything else. `wake` makes the daemon call take() soon.
   virtual void attach(std::function<void()> wake) = 0;
-  /// Once, at the end; `wake` must not be called after it.
+  /// Called once, at the end; `wake` must not be called after it.
   virtual void detach() = 0;
-  /// Who speaks: a name of the roster.
+  /// Name of the roster's member as which the companion sends.
   virtual std::string speaks_as() const = 0;
-  /// What it says, with the instance of the header filled in.
+  /// The samples to be sent since the last call; of the headers only the instance is filled in.
   virtual std::vector<wire::Sample> take() = 0;
   virtual void sees(const wire::Sample& sample) = 0;
   virtual void sees(const journal::Record& record) = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often nodes say that they are there.
+// The period of heartbeats.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 namespace skein::node {
 
-/// No heartbeat comes more often than this on the wall clock, whatever the rate: three of them are
-/// what a busy machine may stand still without its peers taking it for gone.
+/// Shortest period of heartbeats in steady time, whatever the rate. A busy machine may stand still
+/// for three periods before its peers consider it unreachable.
 inline constexpr Duration kLeastSteadyHeartbeat = Duration::milliseconds(100);
 
-/// The steady period of heartbeats that a scenario wants every `heartbeat` of mission time, at
-/// `rate` mission seconds per steady second. From the rate on at which that would be less than
-/// kLeastSteadyHeartbeat it is that, and the mission's period grows with the rate. Both > 0.
+/// Converts the period `heartbeat` of mission time to steady time, at `rate` mission seconds per
+/// steady second; at least kLeastSteadyHeartbeat, so that at high rates the period in mission time
+/// grows with the rate. Precondition: both > 0.
 inline Duration steady_heartbeat(Duration heartbeat, double rate) {
   SKEIN_EXPECTS(heartbeat > Duration{} && rate > 0);
   return std::max(Duration::seconds(heartbeat.to_seconds() / rate), kLeastSteadyHeartbeat);

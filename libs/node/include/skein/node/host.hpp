@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A node together with its blackboard: what both runtimes drive.
+// A node together with its blackboard, as both runtimes (virtual and daemon) drive it.
 #pragma once
 
 #include <functional>
@@ -20,11 +20,11 @@ namespace skein::node {
 
 struct Survey;
 
-/// What radio links can carry, as far as it is known before anybody tells [bit/s of mission time];
-/// 0: unlimited.
+/// Capacities of the radio links [bit/s of mission time] as declared before the mission; 0:
+/// unlimited.
 struct RadioCapacity {
   double of_all = 0;
-  std::map<std::pair<std::string, std::string>, double> of_links = {};  ///< from, to: unlike those
+  std::map<std::pair<std::string, std::string>, double> of_links = {};  ///< exceptions: (from, to)
 
   double of(const std::string& from, const std::string& to) const {
     const auto found = of_links.find({from, to});
@@ -32,109 +32,111 @@ struct RadioCapacity {
   }
 };
 
-/// What of the simulator's words on links counts; in flight there are none. What is not told a
-/// node's own heartbeats find out.
+/// Which parts of the simulator's LinkState samples a node applies to its channels. In flight there
+/// are no such samples. A node detects cuts that it is not told by its heartbeats.
 enum class ToldOfLinks : std::uint8_t {
   kAll,
-  kNotOfCuts,  ///< latency, loss and capacity do; that they are up or down does not
+  kNotOfCuts,  ///< latency, loss and capacity, but not whether the link is up
   kNothing
 };
 
 struct HostConfig {
   std::uint64_t incarnation = 1;
   Duration heartbeat_period = Duration::seconds(1);  ///< steady
-  double rate = 1;  ///< mission seconds per steady second: turns the radio's latencies
+  double rate = 1;  ///< mission seconds per steady second; converts the radio's latencies
   ToldOfLinks told = ToldOfLinks::kAll;
   RadioCapacity capacity = {};
-  /// Of a radio's capacity, declared or told: the rest is for what the transport itself says.
+  /// Fraction of a radio's capacity for samples, in (0, 1]; the rest is for the protocol of DDS.
   double share_of_samples = 1;
   std::uint64_t seed = 0;  ///< of the losses on streams
-  /// Where the node's memory is; it outlives the host. If there is something in it, the host goes
-  /// on where that ends, and `incarnation` is that of the first life. Null: nothing outlives the
-  /// node.
+  /// The node's memory; must outlive the host. If it is not empty, the host resumes at its end, and
+  /// `incarnation` is that of the first life. Null: the node keeps nothing over a restart.
   InputLog* memory = nullptr;
   bool leads_clock = false;
-  /// Whether it takes part in the world channel, which is for simulation: clock, directory, links,
-  /// truth, operators and runners elsewhere, the event log. Without it what is published reaches
-  /// nobody but who is in this process.
+  /// Whether the node takes part in the world channel, which is for simulation: clock, directory,
+  /// link states, truth, remote operators and runners, the event log. Without it, published samples
+  /// stay in this process.
   bool world = true;
-  /// `incarnation` is of a clock that may be wrong (blackboard::Config). With a memory it is not.
+  /// `incarnation` is a guess from a clock that may be wrong (see blackboard::Config). Ignored with
+  /// a memory.
   bool guesses_incarnation = false;
-  /// The node comes back with nothing it knew, in a new incarnation. What is in the memory it is
-  /// given all the same, before it starts: for who plays the world, that does not forget. Nothing
-  /// follows from it.
+  /// The node restarts without memory, in a new incarnation. The inputs in `memory` are still given
+  /// to it before it starts, but without effects: a node that simulates the world needs them, since
+  /// the world does not forget.
   bool forgets = false;
 };
 
 /// Why a host could not be opened.
 struct OpenFailure {
   std::string why;
-  /// The memory, and nothing else, is in the way: the node, given it, does not do what it is known
-  /// to have done, or it cannot be read. The node has been given some of it: it is of no use after.
+  /// The memory is the only cause: it cannot be read, or the node, given its inputs, does not
+  /// reproduce what it is known to have done. The node must not be used any more: it was given some
+  /// of these inputs.
   bool of_memory = false;
 };
 
-/// Where a host's output goes. All are called from step(), in the order of the effects.
+/// Callbacks for a host's output. All are called from step(), in the order of the effects.
 struct HostPorts {
   std::function<void(const journal::Record&)> journal;
   std::function<void(StartJob)> start_job;
   std::function<void(StopJob)> stop_job;  ///< may be empty
   std::function<void()> finish;
-  /// What comes over the world channel (clock, directory, mission state, link states, truth): for
-  /// the runtime; of it the node gets the truth and what operators and the ground station tell each
-  /// other. May be empty.
+  /// Samples of the world channel for the runtime (clock, directory, mission state, link states,
+  /// truth); the node itself gets only the truth and the exchange between operators and ground
+  /// station. May be empty.
   std::function<void(const wire::Sample&)> world;
-  /// What is given to the node, and what it sends and publishes. May be empty.
+  /// All samples that the node receives, sends and publishes. May be empty.
   std::function<void(const wire::Sample&)> witness;
 };
 
 /// Routes samples from the blackboard to the node and the node's effects back; applies the link
-/// states of the radio to the channels; writes what happens on the channels to the event log.
+/// states of the radio to the channels; writes the traffic of the channels to the event log.
 /// Sans-IO like the node itself: a runtime calls step(). Thread rule: one thread.
 ///
-/// With a memory, every input of the node is in it before anything that follows from it leaves. A
-/// host opened on what a former life left there gives its node all of that first, sends nothing of
-/// what follows from it, and then goes on as after a cut: peers get what they did not acknowledge,
-/// jobs that had not ended begin again, lines of the event log that had not left are written.
-/// Unless it forgets: then it is a new node to its peers.
+/// With a memory, every input of the node is stored before any effect of it leaves the host. A host
+/// that is opened on the memory of a former life replays all its inputs to the node, suppresses the
+/// effects, and then continues as after a cut: unacknowledged events are sent again, unfinished
+/// jobs start again, lines of the event log that had not left are written. With
+/// HostConfig::forgets it is a new node to its peers instead.
 class Host {
  public:
   /// The transport must outlive the host. The failure says what the transport could not open, or
-  /// why the memory is not of this node.
+  /// why the memory cannot be that of this node.
   static Result<std::unique_ptr<Host>, OpenFailure> open(const Roster& roster, const Member& self,
                                                          std::unique_ptr<Node> node,
                                                          blackboard::Transport& transport,
                                                          const HostConfig& config, HostPorts ports);
 
-  /// Gives the node its Started input, then what came before. Until then the blackboard works and
-  /// peers are heard, but the node gets nothing and nothing is logged: a runtime starts it once it
-  /// knows the mission time.
+  /// Gives the node its Started input, then what arrived before this call. Until then the
+  /// blackboard works and peers are heard, but the node gets no input and nothing is logged: a
+  /// runtime calls it once it knows the mission time.
   void start(blackboard::Now now);
   bool started() const { return started_; }
-  /// Of the last thing a former life was given; absent in the first.
+  /// Mission time of the last input of former lives; absent in the first life.
   std::optional<MissionTime> resumed_from() const { return resumed_from_; }
-  /// Takes what arrived, wakes the node if it is due, carries out effects. True if there was
+  /// Processes arrivals, wakes the node if it is due, carries out effects. True if there was
   /// anything to do, so that a runtime can go on until all hosts are quiet.
   bool step(blackboard::Now now);
-  /// A member of the roster in this process says something on the world channel: the node gets it
-  /// as if it had come over that. Without effect before start(). A malformed sample is logged.
+  /// Gives the node a sample that a member of the roster in this process (see Companion) sends, as
+  /// if it had come over the world channel. Without effect before start(). A malformed sample is
+  /// logged.
   void say(const Member& from, wire::Sample sample, blackboard::Now now);
   /// A job's result.
   void job_done(JobDone done, blackboard::Now now);
-  /// The lines of the event log that were handed over so far have left.
+  /// Notes that all lines of the event log handed over so far have left the process.
   void lines_have_left();
-  /// Publishes on the world channel what does not come from the node (clock, directory, journal). A
-  /// refusal is logged.
+  /// Publishes a sample of the runtime (clock, directory, journal) on the world channel. A refusal
+  /// is logged.
   void publish(wire::Sample sample, blackboard::Now now);
 
   std::optional<MissionTime> next_mission_wakeup() const {
     return earliest(node_due_, blackboard_.next_expiry());
   }
   std::optional<Duration> next_steady_wakeup() const { return blackboard_.next_wakeup(); }
-  /// As the peers see it: the latest that any of them wrote.
+  /// The latest mission time in the samples of all peers.
   MissionTime latest_heard() const { return blackboard_.latest_heard(); }
-  /// True once every peer this node has a radio or onboard channel with, and whose channel the
-  /// radio does not hold down, has been heard.
+  /// True once every peer with a radio or onboard channel to this node has been heard, except peers
+  /// whose radio link is down.
   bool all_peers_heard() const;
   const Member& self() const { return self_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a node was given, kept so that the next life of it knows all that this one did.
+// The memory of a node: a log of its inputs, from which its next life restores its state.
 #pragma once
 
 #include <cstdint>
@@ -14,26 +14,27 @@
 
 namespace skein::node {
 
-// ---- what is kept, besides the inputs that are kept as they are ----
+// ---- entries besides the inputs themselves ----
 
-/// A job's result came. Its work is done again when it is recalled: the same question to the same
-/// clock gives the same answer, and so the same result.
+/// A job's result came (JobDone). The result itself is not kept: recall runs the work again, with
+/// the same answers of the job's clock, which gives the same result.
 struct JobEnded {
   std::uint64_t id = 0;
   JobClock clock;
 };
 /// The next life began here.
 struct Resumed {};
-/// The n-th Send of the node (from 0) was refused for want of room.
+/// The n-th Send of the node (from 0) was refused because too many events were unacknowledged.
 struct Unsent {
   std::uint64_t send = 0;
 };
-/// An event of this peer came too late to be given.
+/// A received event had expired and was not given to the node.
 struct Skipped {
   wire::Slot slot = wire::Slot::kTaskRequest;
   wire::SampleHeader header;
 };
-/// The peer has handled everything up to this one. Kept now and then: what it saves is memory.
+/// The peer has acknowledged all events up to this sequence number. Kept now and then, only so that
+/// recall need not hold events that were acknowledged.
 struct Acknowledged {
   NodeNumber peer;
   std::uint64_t sequence = 0;
@@ -42,23 +43,23 @@ struct Acknowledged {
 using LoggedInput = std::variant<Started, Received, Reachability, Undelivered, Delivered, Wakeup,
                                  JobEnded, Resumed, Unsent, Skipped, Acknowledged>;
 
-/// `at` never decreases from entry to entry; the first one is Started. Another Started is a new
-/// incarnation, that came back with nothing of it but the world it plays.
+/// `at` never decreases from entry to entry; the first entry is a Started. A later Started is a new
+/// incarnation without memory (HostConfig::forgets).
 struct LogEntry {
   MissionTime at;
   LoggedInput input;
 };
 
-/// Whether it tells of the node's lives and what came of its sends, and is not given to it.
-/// Started is both.
+/// Whether the entry is about the node's lives and the fate of its sends, not an input. Started is
+/// both.
 bool is_of_lives(const LoggedInput& input);
 
-/// The memory of one node in one mission: its inputs in their order. A node is a function of them,
-/// so they are all of its state: plan, tasks and conditions, degree, commands and answers, the
-/// place in a script, sessions of events both ways.
+/// The memory of one node in one mission: its inputs in their order. A node is a function of its
+/// inputs, so they determine all of its state: plan, tasks and conditions, degree, commands and
+/// answers, the position in a script, event sessions in both directions.
 ///
-/// Law: what append() was given is there for the next life, whenever this one dies after the call;
-/// and nothing that follows from an input leaves the node before it is appended.
+/// Law: an entry given to append() is available to the next life, whenever this one dies after the
+/// call; and no effect of an input leaves the node before the input is appended.
 /// Source: spec 1.3, 1.5. Thread rule: one thread.
 class InputLog {
  public:
@@ -69,28 +70,30 @@ class InputLog {
   InputLog& operator=(const InputLog&) = delete;
   virtual ~InputLog() = default;
 
-  /// One transaction. A failure is no reason to stop: the log keeps what it could not write and
-  /// tries again with the next; until it succeeds there is no next life that knows.
+  /// Stores the entry, in one transaction. After a failure the node may go on: the log keeps the
+  /// entry in RAM and writes it with the next one; until that succeeds a restart finds no usable
+  /// memory.
   virtual Result<void, Failure> append(const LogEntry& entry) = 0;
-  /// What else people should know of the keeping since it was last asked: a sentence, or empty.
+  /// A message for people about the state of the log since the last call: a sentence, or empty.
   virtual std::string take_news() { return {}; }
-  /// So many lines of the event log have left the node, from its first life on.
+  /// Stores how many lines of the event log have left the node since its first life began.
   virtual void told(std::uint64_t lines) = 0;
 
-  /// What the lives before this one were given; empty for the first. Stops, with the failure of
-  /// `take`, where that fails.
+  /// Gives `take` the entries of all former lives, in order; none in the first life. Stops at the
+  /// first failure of `take` and returns it.
   virtual Result<void, Failure> recall(const Take& take) const = 0;
-  /// Of that the first, and what is_of_lives(): to be overridden where that can be had for less.
+  /// Like recall(), but only the first entry and those that are is_of_lives(). Override it where
+  /// these can be read faster.
   virtual Result<void, Failure> recall_lives(const Take& take) const;
   virtual std::uint64_t lines_told() const = 0;
 };
 
-/// Whether this node, as it was made, can have been given what is in the memory and have done what
-/// is known that it did. The failure says why not: another scenario, another version of the
-/// program. The node is of no use after. Cost: that of the node's life without waiting.
+/// Checks the memory by replaying it to a freshly made node, which must not be used afterwards. The
+/// failure says where the node deviates from what is recorded: another scenario, another version of
+/// the program. Cost: all computations of the node's former lives.
 Result<void, Failure> explains(const InputLog& memory, Node& node);
 
-/// In memory: for virtual time and tests.
+/// An InputLog in RAM, for virtual time and tests.
 class MemoryInputLog final : public InputLog {
  public:
   Result<void, Failure> append(const LogEntry& entry) override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mission time in a daemon: led by one, followed by the others through the clock slot.
+// Mission time in a daemon: one daemon leads the clock, the others follow through the clock slot.
 #pragma once
 
 #include <optional>
@@ -9,23 +9,23 @@
 
 namespace skein::node {
 
-/// Follows the clock slot. Between samples mission time goes on at the last rate; if they stop
-/// coming it stands still after a while, and goes on with the first that comes: a leader that died
-/// and comes back is where the others are. It never goes back: a sample that was slow on its way is
-/// outweighed by a faster one, and the estimate gives way slowly, so that clocks that drift stay
-/// together. A sample whose rate is of no use (not within 0.001 and a million) is disregarded.
-/// Steady times are of this process and never decrease. Source: spec 1.4.
+/// A follower of the clock slot. Between samples mission time advances at the last rate. After
+/// `silence` without samples it stands still until the next one, so that a leader that restarts
+/// resumes where its followers are. It never decreases. The estimate follows the least delayed
+/// samples and forgets slowly, so that delays have little effect and drifting clocks stay together.
+/// Samples with a rate outside [0.001, 1e6] are ignored. Steady times are of this process and must
+/// not decrease. Source: spec 1.4.
 class MissionClock {
  public:
   static constexpr Duration kSilence = Duration::milliseconds(500);  ///< steady: five periods
 
-  /// `silence`: steady, after so much without a sample it stands still.
+  /// `silence`: steady time without a sample after which mission time stands still.
   explicit MissionClock(Duration silence = kSilence) : silence_(silence) {}
 
   void update(const wire::Clock& sample, Duration steady);
   MissionTime now(Duration steady);
-  /// The steady time at which mission time reaches `at`, to the microsecond; absent while time
-  /// stands still at the steady time `now`.
+  /// The steady time at which mission time reaches `at`, to the microsecond; absent while mission
+  /// time stands still. `now`: steady.
   std::optional<Duration> steady_at(MissionTime at, Duration now) const;
   wire::ClockPhase phase() const { return phase_; }
   double rate() const { return rate_; }
@@ -44,14 +44,15 @@ class MissionClock {
   MissionTime last_;
 };
 
-/// Leads: holds until told to run, at zero or where a former life was, then counts steady time ×
-/// rate up to a limit.
+/// The leader's clock: holds (at zero, or at the mission time of a former life) until run(), then
+/// advances by steady time × rate until finish().
 class ClockLeader {
  public:
   explicit ClockLeader(double rate) : rate_(rate) {}
 
   void run(Duration steady);
-  /// It is `at` now, and runs or holds on. No earlier than any instant it gave.
+  /// Sets mission time to `at`; the phase stays. Precondition: `at` is not before any instant that
+  /// now() has returned.
   void set(MissionTime at, Duration steady);
   void finish(Duration steady);
   MissionTime now(Duration steady) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shape of every node: messages, time and job results in; messages, records and jobs out.
+// The interface of every node: messages, time and job results in; messages, records and jobs out.
 #pragma once
 
 #include <any>
@@ -22,12 +22,13 @@ using blackboard::NodeNumber;
 struct Started {
   std::uint64_t incarnation = 1;  ///< above 1: it was restarted in this mission
 };
-/// A sample, well formed, new and in order. `header_of(sample).origin` is who made it.
+/// A sample arrived: well formed, new and in order. `header_of(sample).origin` is its author.
 struct Received {
   NodeNumber from;
   wire::Sample sample;
 };
-/// What this node now believes of a peer. Source: spec 1.3 (reachability).
+/// The reachability of a peer has changed, or the peer has restarted. Source: spec 1.3
+/// (reachability).
 struct Reachability {
   NodeNumber peer;
   bool reachable = false;
@@ -39,18 +40,18 @@ struct Undelivered {
   NodeNumber to;
   wire::Slot slot = wire::Slot::kTaskRequest;
   std::uint64_t sequence = 0;
-  std::uint64_t receipt = 0;  ///< that was asked for (Send)
-  /// False: the peer was out of contact all the time. True: only its acknowledgement may be
+  std::uint64_t receipt = 0;  ///< Send::receipt
+  /// False: the peer was out of contact all the time. True: perhaps only the acknowledgement is
   /// missing.
   bool may_have_arrived = true;
 };
-/// An event this node sent and asked a receipt for (Send) is with the peer's node.
+/// An event that this node sent with a receipt number (Send) has arrived at the peer's node.
 struct Delivered {
   NodeNumber to;
   std::uint64_t receipt = 0;
 };
-/// What a job was told of its time: whether it had a clock at all, and how often that said that
-/// there was time left before it first said, if ever, that there was none.
+/// The answers that a job got from its clock (TimeIsUp), from which its result can be reproduced:
+/// whether it had a clock, how often the answer was "not yet", and whether "time is up" followed.
 struct JobClock {
   bool given = false;
   bool ran_out = false;
@@ -69,15 +70,15 @@ struct Wakeup {};
 using Input =
     std::variant<Started, Received, Reachability, Undelivered, Delivered, JobDone, Wakeup>;
 
-/// Sends to one peer; the header is stamped on the way. A refusal is logged.
+/// Sends a sample to one peer; the blackboard fills in the header. A refusal is logged.
 struct Send {
   NodeNumber to;
   wire::Sample sample;
-  /// Of an event; the lifespan of its slot may end before (SlotTable).
+  /// Events only; the lifespan of the slot may end earlier (SlotTable).
   MissionTime expires = MissionTime::max();
-  std::uint64_t receipt = 0;  ///< of an event, above 0: Delivered is wanted, with this number
+  std::uint64_t receipt = 0;  ///< events only: if above 0, Delivered comes with this number
 };
-/// Sends to everybody over the world channel. A refusal is logged.
+/// Sends a sample to all nodes over the world channel. A refusal is logged.
 struct Publish {
   wire::Sample sample;
 };
@@ -85,18 +86,18 @@ struct Publish {
 struct Log {
   journal::Record record;
 };
-/// The clock of a job: whether it has had its time. May be empty: it has all the time it needs.
+/// The clock of a job: true once the job's time is used up. May be empty: no limit.
 using TimeIsUp = std::function<bool()>;
-/// A long computation. `work` owns its inputs, touches nothing shared and may run in any thread;
-/// its result comes back as JobDone. Who runs it may fill the clock: a daemon does, virtual time
-/// stands still meanwhile and so never ends a job. Source: spec 1.5.
+/// Starts a long computation. `work` owns its inputs, touches nothing shared and may run in any
+/// thread; its result comes back as JobDone. A daemon passes a clock to `work`; the virtual runtime
+/// passes none, since virtual time stands still during a job. Source: spec 1.5.
 struct StartJob {
   std::uint64_t id = 0;
   std::function<std::any(const TimeIsUp&)> work;
-  Duration at_most = Duration::max();  ///< from when it begins to run
+  Duration at_most = Duration::max();  ///< time limit, from the moment it begins to run
 };
-/// Nobody wants the result of this job any more: its clock says at once that it has had its time.
-/// Its result comes back all the same.
+/// The result of this job is not needed any more: from now on its clock says that its time is up.
+/// JobDone comes nevertheless.
 struct StopJob {
   std::uint64_t id = 0;
 };
@@ -116,14 +117,15 @@ class Node {
   virtual ~Node() = default;
 
   virtual Effects handle(const Input& input, MissionTime now) = 0;
-  /// When it next wants a Wakeup, if nothing comes before; after a Wakeup, later than its instant.
-  /// Only handle() changes it: it is asked once after that.
+  /// The instant of the next Wakeup if no input comes before; after a Wakeup, later than its
+  /// instant. Only handle() changes it: runtimes ask once after each call of handle().
   virtual std::optional<MissionTime> next_wakeup() const = 0;
 
-  /// From here on it is given what a former life was given, and does what that did. Of what it
-  /// publishes (states of the world channel) only the last is of account: it need not make any.
+  /// The following inputs are those of a former life, whose effects are not carried out. The node
+  /// need not make Publish effects (states of the world channel) meanwhile.
   virtual void begin_recall() {}
-  /// That is over. Gives what it did not publish meanwhile, as it is now.
+  /// The recall is over. Returns the Publish effects, with present values, for the states that were
+  /// not published meanwhile.
   virtual Effects end_recall() { return {}; }
 };
 

@@ -24,21 +24,21 @@ struct Member {
 };
 
 /// All nodes of a scenario. Numbers follow from the scenario alone, so daemons started by hand on
-/// different machines agree without talking: ground 1, sim 2, runner 3, operators (all of them) 4,
-/// UAVs from 10 in the order of the scenario file, functional layers of their own from 500 in the
-/// order of their UAVs. Source: spec 1.3.
+/// different machines agree on them without communication: ground 1, sim 2, runner 3, operators
+/// (all of them) 4, UAVs from 10 in the order of the scenario file, separate functional layers from
+/// 500 in the order of their UAVs. Source: spec 1.3.
 class Roster {
  public:
   /// `uavs`: names of the UAVs, distinct, none of them "ground", "sim", "runner" or "operator".
-  /// `functional`: by UAV the name of the node that is its functional layer, which is none of the
-  /// names before; of those not named there the simulator is.
+  /// `functional`: by UAV, the name of the node that is its functional layer, distinct from all
+  /// names above. UAVs that are absent there have the simulator as functional layer.
   explicit Roster(const std::vector<std::string>& uavs,
                   const std::map<std::string, std::string>& functional = {});
 
   const std::vector<Member>& members() const { return members_; }
   const Member* find(std::string_view name) const;
   const Member* find(NodeNumber number) const;
-  /// The name, or "node 7" for a stranger.
+  /// The name, or "node 7" for a number that is not in the roster.
   std::string name_of(NodeNumber number) const;
   std::map<NodeNumber, std::string> names() const;
 
@@ -49,15 +49,15 @@ class Roster {
   /// The functional layer of a UAV of this roster.
   NodeNumber functional_of(NodeNumber uav) const;
 
-  /// The same, where these of its members (the ground station, UAVs) pass on what is for others.
+  /// A copy of this roster in which these members (ground station, UAVs) are relays.
   Roster relayed_by(const std::vector<std::string>& names) const;
   const std::set<NodeNumber>& relays() const { return relays_; }
 
-  /// The same, where slots are as this table says; else they are as in the one that ships.
+  /// A copy of this roster with this slot table instead of SlotTable::shipped().
   Roster with_slots(blackboard::SlotTable table) const;
   const blackboard::SlotTable& slots() const { return *slots_; }
 
-  /// Only these of its members, with the numbers that they have: they talk with nobody else.
+  /// A copy of this roster with these members only; numbers stay. No channels lead to the others.
   Roster only(const std::vector<std::string>& names) const;
 
   /// Every channel that starts or ends at the member: radio between the ground and each UAV and

@@ -11,17 +11,16 @@
 
 namespace skein::node {
 
-/// Makes the node of a name; called at its start and at each restart.
+/// Makes the node with this name; called at its start and at each restart.
 using NodeFactory = std::function<std::unique_ptr<Node>(const std::string& name)>;
 
-/// A node dies at once and, if told so, is started again. Of a node that is dead already a death
-/// changes nothing, of one that lives a restart.
+/// A node dies at `at` and, if `restart` is given, is started again then. The death of a dead node
+/// and the restart of a live one have no effect.
 struct Crash {
   MissionTime at;
   std::string node;
   std::optional<MissionTime> restart;
-  bool remembers =
-      false;  ///< it comes back with what it knew; else with nothing (but the world that it plays)
+  bool remembers = false;  ///< restart with memory; otherwise without (HostConfig::forgets)
 };
 
 struct VirtualConfig {
@@ -31,13 +30,13 @@ struct VirtualConfig {
   Duration job_latency = Duration::milliseconds(50);  ///< from a job's start to its result
   Duration after_finish = Duration::seconds(2);       ///< so that last messages are still handled
   std::vector<Crash> crashes;
-  bool operators = false;  ///< the roster's operators play too
-  /// What the simulator says of the links is done by what carries the samples, and nobody is told:
-  /// as in flight, where the radio itself cuts.
+  bool operators = false;  ///< the roster's operators take part as nodes
+  /// The simulator's cuts are made by the transport and nodes are not told, as in flight, where the
+  /// radio itself cuts.
   bool silent_cuts = false;
   RadioCapacity capacity = {};
-  /// Where the memory of a node is kept, null for none; it outlives the run. Without: in memory, of
-  /// those who will come back with it.
+  /// Gives the memory of a node (null: none), which must outlive the run. If empty, nodes that a
+  /// Crash restarts with memory have a MemoryInputLog.
   std::function<InputLog*(const std::string& node)> memory_of = {};
 };
 

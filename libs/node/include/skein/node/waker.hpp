@@ -8,9 +8,9 @@
 
 namespace skein::node {
 
-/// Blocks SIGINT, SIGTERM and SIGCHLD in this thread and those made after it (so make it before any
-/// other thread starts) and waits for them together with notices. `notify` may be called from any
-/// thread, also from a middleware's callback: it does not block.
+/// Waits for notices and for SIGINT, SIGTERM and SIGCHLD. It blocks these signals in the calling
+/// thread and in threads made later, so make it before any other thread starts. Thread rule:
+/// notify() from any thread, also from a middleware's callback; it does not block.
 class Waker {
  public:
   Waker();
@@ -19,8 +19,8 @@ class Waker {
   ~Waker();
 
   void notify() noexcept;
-  /// Returns at once if there was a notice since the last wait; else at the first of: a notice, a
-  /// signal (SIGCHLD too), `timeout` (none: no limit).
+  /// Returns at once if there was a notice since the last wait; otherwise at the first notice or
+  /// signal (SIGCHLD too), or after `timeout` (none: no limit).
   void wait(std::optional<Duration> timeout);
   /// True once SIGINT or SIGTERM has come.
   bool stop_requested() const { return stop_; }
