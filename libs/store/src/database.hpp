@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables of a state file. What SQLite has to complain about comes as an exception of
-// SQLiteCpp's (SQLite::Exception) out of here, and goes no further than the library.
+// The tables of a state file. Errors of SQLite are thrown as SQLite::Exception (SQLiteCpp), which
+// the library catches.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -15,14 +15,13 @@
 
 namespace skein::store {
 
-/// Of the format below; files of a newer one are not read, of an older one brought up to it when
-/// they are opened to be written. 1: inputs. 2: the layout of the messages in them as well, in
-/// `about` under "messages"; empty in a file that was brought up. 3: bodies may be packed, which
-/// each row says of itself. 4: rows have checksums (none in rows of before), and the older ones are
-/// folded.
+/// Version of the file format. Files of newer versions are not read; files of older ones are
+/// migrated when they are opened for writing. 1: inputs. 2: also the wire layout of their samples,
+/// in `about` under "messages" (empty in a migrated file). 3: bodies may be packed; a flag of each
+/// row says so. 4: rows have checksums (rows of older versions none), and older rows are folded.
 inline constexpr int kVersion = 4;
 
-/// So much is folded at once: rows, or bytes of their bodies, whichever comes first.
+/// Rows are folded when this number of rows, or of bytes in their bodies, is reached.
 inline constexpr std::uint64_t kFoldedRows = 4096, kFoldedBytes = 4U << 20;
 
 /// The write-ahead log beside the file has no more than this and one transaction [bytes]; while
@@ -33,31 +32,32 @@ inline constexpr std::uint64_t kLargestAhead = 2U << 20;
 class Database {
  public:
   enum class Mode { kWrite, kRead };
-  /// Begins the tables in an empty file, which never gets larger than `largest` [bytes]; a file
-  /// that is stays as it is. Precondition of kRead: the file exists.
+  /// Opens the file, and makes the tables if it is empty. kWrite: the file never gets larger than
+  /// `largest` [bytes]. Precondition of kRead: the file exists.
   Database(const std::string& file, Mode mode, std::uint64_t largest = 0);
 
   int version();
-  /// Empty if it was never said.
+  /// The value under this key; empty if there is none.
   std::string about(const std::string& what);
   void set_about(const std::string& what, const std::string& value);
   std::int64_t lines_told();
   void set_lines_told(std::int64_t lines);
 
-  /// As they are, all or none: who inserts rows packs them, in their order.
+  /// Inserts the rows unchanged, all or none. The caller packs them before, in their order.
   void insert(const std::deque<Row>& rows);
-  /// All rows of `inputs`, as one transaction. What is inserted after is packed anew.
+  /// Folds all rows of `inputs`, in one transaction. Rows inserted later must be packed by a new
+  /// Packing.
   void fold();
-  /// In the order of insertion, unpacked, until `take` says no. Throws std::runtime_error where one
-  /// is missing or is not what was inserted.
+  /// Calls `take` with each row, unpacked, in the order of insertion, until it returns false.
+  /// Throws std::runtime_error at a row that is missing or damaged.
   void for_each(const std::function<bool(std::uint64_t number, const Row&)>& take);
-  /// The first, and those of these kinds; bodies that are packed stay so.
+  /// Calls `take` with the first row and the rows of these kinds; packed bodies stay packed.
   void for_each_of(const std::vector<std::string>& kinds,
                    const std::function<bool(std::uint64_t number, const Row&)>& take);
   std::uint64_t inputs();
   std::uint64_t not_folded();
-  std::uint64_t bytes_used();  ///< of the file, without what is free in it
-  /// What SQLite says of the file: "ok" if it is sound.
+  std::uint64_t bytes_used();  ///< size of the file without its free pages
+  /// The result of SQLite's integrity check: "ok" if the file is sound.
   std::string soundness();
   SQLite::Database& raw() { return database_; }
 
@@ -70,7 +70,7 @@ class Database {
 
   SQLite::Database database_;
   std::optional<SQLite::Statement> insert_, told_;
-  std::uint64_t next_ = 1;  ///< number of the next row; where rows are written
+  std::uint64_t next_ = 1;  ///< number of the next row; used by kWrite only
 };
 
 }  // namespace skein::store

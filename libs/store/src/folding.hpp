@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many rows as one: what a state file holds of inputs that are not the last ones.
+// Folding: compression of many rows of a state file, all but the last ones, into one.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace skein::store {
 
-/// Rows, unpacked, as one Zstandard frame with a checksum, written by columns: instants as changes
-/// of their steps, numbers as changes within a kind, bodies of one kind, peer and slot after each
-/// other. What is in it needs nothing outside it. Source: RFC 8878.
+/// Compresses unpacked rows into one self-contained Zstandard frame with a checksum, column by
+/// column: instants as second differences, numbers as differences within a kind, bodies of the same
+/// kind, peer and slot next to each other. Source: RFC 8878.
 std::vector<std::uint8_t> fold(const std::vector<Row>& rows);
-/// Throws std::runtime_error at what fold() did not make.
+/// Inverse of fold(). Throws std::runtime_error if the bytes are not a result of fold().
 std::vector<Row> unfold(const std::vector<std::uint8_t>& folded);
 
 }  // namespace skein::store

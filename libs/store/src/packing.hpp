@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies of samples as what is new in them: a plan board is like the one before it.
+// Packing: delta compression of sample bodies against their predecessors.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 
 namespace skein::store {
 
-/// Packs each body against the last one of its peer and slot, as a Zstandard frame with that as its
-/// prefix. Rows are unpacked in the order in which they were packed; the first of each peer and
-/// slot that a Packing packs needs none before it, so that each life of a node begins with a new
-/// one. A row that does not become shorter stays as it is. Each frame has a checksum: a
-/// body whose predecessor is missing or damaged is not read as another. Cost: some microseconds a
-/// row, memory: the last bodies. Thread rule: one thread. Source: RFC 8878; zstd.h,
-/// ZSTD_CCtx_refPrefix.
+/// Compresses each body into a Zstandard frame whose prefix is the last body of the same peer and
+/// slot (successive plan boards, for example, are alike). Rows have to be unpacked in the order in
+/// which they were packed. The first body of each peer and slot in a Packing has no predecessor, so
+/// each life of a node begins with a new Packing. A row that does not become shorter stays
+/// unpacked. Each frame has a checksum, so that a missing or damaged predecessor is detected. Cost:
+/// some microseconds a row; memory: the last bodies. Thread rule: one thread. Source: RFC 8878;
+/// zstd.h, ZSTD_CCtx_refPrefix.
 class Packing {
  public:
   Packing();
@@ -28,7 +28,7 @@ class Packing {
   ~Packing();
 
   void pack(Row& row);
-  /// Throws std::runtime_error at what pack() did not make.
+  /// Inverse of pack(). Throws std::runtime_error if the body is not a result of pack().
   void unpack(Row& row);
 
  private:

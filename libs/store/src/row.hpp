@@ -10,15 +10,15 @@
 
 namespace skein::store {
 
-/// Of the flags of a row in the file: its body is packed (packing.hpp).
+/// Bit of Row::flags in the file: the body is packed (packing.hpp).
 inline constexpr std::int64_t kPacked = 4;
 
-/// What is 0 or empty means nothing for the row's kind.
+/// Members that the row's kind does not use are 0 or empty.
 struct Row {
   std::int64_t at = 0;     ///< mission time [ns]
   std::string kind;        ///< "received", "wakeup", …
   std::int64_t peer = 0;   ///< number of the other node
-  std::string slot;        ///< its name
+  std::string slot;        ///< name of the slot
   std::int64_t value = 0;  ///< incarnation, sequence, job, send
   std::int64_t extra = 0;  ///< questions asked, the sender's incarnation, receipt
   std::int64_t flags =
@@ -27,9 +27,9 @@ struct Row {
 };
 
 Row row_of(const node::LogEntry& entry);
-/// Those of node::is_of_lives().
+/// The kinds of the rows whose entries are node::is_of_lives().
 std::vector<std::string> kinds_of_lives();
-/// Reads what row_of() made; whatever else it is given, the failure says what is wrong.
+/// Inverse of row_of(). The failure says what is wrong with a row that is no result of row_of().
 Result<node::LogEntry, Failure> entry_of(const Row& row);
 
 }  // namespace skein::store

@@ -10,12 +10,13 @@
 
 namespace skein::store {
 
-/// Greater than each that it gave for this node in this folder before, whatever the clock says: the
-/// others take a lower incarnation for an older one and do not hear it, and a board without a
-/// battery boots into 1970. At least `clock` [ns since 1970], so that a node whose folder is lost
-/// is heard too if its clock is right. It is on disk (NODE.incarnation) before it is given. The
-/// failure says what cannot be read or written; a file that holds no number is one and stays as it
-/// is. Thread rule: one process at a time for a node.
+/// Returns an incarnation number that is greater than all that this function has returned for this
+/// node and folder, whatever the clock says: peers ignore a lower incarnation as an older one, and
+/// the clock of a board without a battery starts in 1970. At least `clock` [ns since 1970], so that
+/// peers accept the node even if its folder is lost, provided that its clock is right. The number
+/// is on disk (NODE.incarnation) before it is returned. The failure says what cannot be read or
+/// written; a file without a number in it is a failure, and is not changed. Thread rule: one
+/// process at a time for a node.
 Result<std::uint64_t, Failure> next_incarnation(const std::filesystem::path& folder,
                                                 const std::string& node, std::uint64_t clock);
 

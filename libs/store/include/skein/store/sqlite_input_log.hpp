@@ -10,42 +10,43 @@
 
 namespace skein::store {
 
-/// Whose memory it is, and of which mission. A memory of anything else is not read.
+/// The node and the mission that a state file belongs to. A file with another identity is not read.
 struct Identity {
   std::string node;
-  std::string mission;  ///< differs when the scenario, or what the daemon was told besides, does
+  std::string mission;  ///< differs if the scenario or other settings of the daemon differ
   bool operator==(const Identity&) const = default;
 };
 
 class SqliteInputLog;
 
-/// What was found and made of it.
+/// The result of SqliteInputLog::open().
 struct Opened {
   std::unique_ptr<SqliteInputLog> log;  ///< never null
-  std::string set_aside;  ///< empty, or what was found, why it is not read, where it is now
+  std::string set_aside;  ///< if an old file was not used: what it is, why, where it is now
 };
 
-/// One SQLite file in WAL mode: NODE.state in a folder, beside it NODE.complete as long as nothing
-/// that was handled is missing. An append is a transaction; it is there when the process is killed
-/// right after (after a power cut the last ones may be missing, and the file is sound).
+/// The memory of a node in one SQLite file in WAL mode: NODE.state in a folder, with the marker
+/// NODE.complete beside it as long as no handled input is missing. Each append is a transaction,
+/// which survives a kill of the process right after it (after a power cut the last ones may be
+/// missing, but the file is sound).
 ///
-/// When the disk takes nothing, or the file would be larger than it may, what comes is held in
-/// memory and tried again with the next; until then the file counts as incomplete and is not
-/// resumed from. Of more than kHeld inputs it gives up for this life. Of all but the last inputs
-/// many are kept as one, made in the append that fills it; where that fails, for want of room, they
-/// stay as they are until as many have come again, and take_news() says so, and that it worked
-/// again. So it does once three quarters of what the file may have are used. Thread rule: one
-/// thread. Cost: docs/performance.md.
+/// When the disk is full, or the file has reached its largest size, inputs are held in RAM and
+/// written with a later append; until then the file counts as incomplete, and no life resumes from
+/// it. With more than kHeld of them the log gives up for this life. All but the last inputs are
+/// folded: many rows are compressed into one, in the append that completes their number. If folding
+/// fails for lack of room, it is tried again when as many inputs have come again. take_news()
+/// reports that failure, its end, and when three quarters of the largest size are used. Thread
+/// rule: one thread. Cost: docs/performance.md.
 class SqliteInputLog final : public node::InputLog {
  public:
   static constexpr std::size_t kHeld = 200'000;
   static constexpr std::uint64_t kLargest = 256U << 20;  ///< [bytes]
-  static constexpr std::size_t kSetAside = 5;  ///< files of a node that are kept, the last ones
+  static constexpr std::size_t kSetAside = 5;  ///< number of files set aside that are kept per node
 
-  /// Opens the memory of this node, or begins one of at most `largest` [bytes]. What is there but
+  /// Opens the memory of this node, or begins one of at most `largest` [bytes]. A file that is
   /// damaged, of another node or mission, of a newer version, incomplete, or of a mission that is
-  /// over, is set aside under another name; of kSetAside before it the eldest is deleted. The
-  /// failure says why nothing can be kept there: folder not writable, in use by another process.
+  /// over, is set aside under another name; beyond kSetAside such files the oldest is deleted. The
+  /// failure says why no memory can be kept: folder not writable, in use by another process.
   static Result<Opened, Failure> open(const std::filesystem::path& folder, const Identity& identity,
                                       std::uint64_t largest = kLargest);
   ~SqliteInputLog() override;
@@ -57,10 +58,10 @@ class SqliteInputLog final : public node::InputLog {
   Result<void, Failure> recall_lives(const Take& take) const override;
   std::uint64_t lines_told() const override;
 
-  /// The mission is over: there is nothing to come back to.
+  /// Marks the mission as over: no later life resumes from this file.
   void conclude();
-  /// It cannot be the memory of this node after all: it is set aside, and another begun. Gives
-  /// where it is now, in words.
+  /// Sets the file aside, because it turned out not to be the memory of this node, and begins
+  /// another. Returns a sentence that says where the old file is.
   Result<std::string, Failure> start_anew();
 
  private:
