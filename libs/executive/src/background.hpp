@@ -11,22 +11,23 @@
 
 namespace skein::executive {
 
-/// When a routine is wanted, and which one runs.
+/// Decides when a background routine is to run, and knows the task that runs it.
 class Background {
  public:
-  /// In flight, none runs, none was refused just now, and the executive is not at rest.
+  /// Whether a routine is to begin: the vehicle flies, none runs, none is to be retried later, and
+  /// the executive is not at rest.
   bool wanted() const { return airborne_ && !resting_ && !task_ && !retry_; }
   std::optional<TaskId> task() const { return task_; }
 
   void flies(bool airborne) { airborne_ = airborne; }
-  /// A task that leaves the vehicle there has ended.
+  /// A task has ended whose type leaves the vehicle in this condition.
   void left(functional::Leaves leaves);
-  /// At rest: none until the next START.
+  /// While resting (until the next START) no routine is wanted.
   void rest(bool resting) { resting_ = resting; }
-  /// The id of the one that begins.
+  /// Begins a routine and returns its task id.
   TaskId begin();
-  /// It is over. With `retry` it ended or was refused by itself and is not tried again before;
-  /// without, something displaced it.
+  /// The routine is over. `retry`: if it ended or was refused by itself, the instant before which
+  /// no other begins; absent if another task displaced it.
   void over(std::optional<MissionTime> retry);
   bool retries_at(MissionTime at) const { return retry_ == at; }
   void retry() { retry_.reset(); }

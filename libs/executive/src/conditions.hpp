@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts and the formulas that depend on them: who becomes ready when a fact changes.
+// Facts and the formulas that depend on them: finds the tasks that become ready at a change.
 #pragma once
 
 #include <deque>
@@ -18,11 +18,12 @@
 
 namespace skein::executive {
 
-/// Tasks by id, the lowest first; whether one is still ready is checked when it is taken.
+/// A queue of tasks, the lowest id first; take() checks whether a task is still ready.
 class ReadyQueue {
  public:
   void push(TaskId id, Plan::Slot slot) { queue_.emplace(id, slot); }
-  /// The first entry whose task is in its slot still and passes `is_ready`; drops those before it.
+  /// The first entry whose task is still in its slot and satisfies `is_ready`; drops the entries
+  /// before it.
   template <class IsReady>
   std::optional<Plan::Slot> take(const Plan& plan, const IsReady& is_ready) {
     while (!queue_.empty()) {
@@ -45,8 +46,8 @@ class Conditions {
  public:
   explicit Conditions(Plan& plan) : plan_(plan) {}
 
-  /// Why these conditions may not be given to task `self`, or nothing. Absent ones are not looked
-  /// at. Source: spec 2.3 (coherence).
+  /// Why these conditions are incoherent for the task `self`; nothing if they are coherent. Null
+  /// formulas are not checked. Source: spec 2.3 (coherence).
   std::optional<std::string> incoherence(TaskId self, const Formula* preconditions,
                                          const Formula* exit,
                                          std::optional<MissionTime> deadline) const;
@@ -60,15 +61,16 @@ class Conditions {
 
   void task_changed(Plan::Slot slot);
   void message_received(const std::string& message);
-  /// Instants pass one by one: the earliest watched one, if any.
+  /// The earliest watched instant, if any. Instants pass one by one.
   std::optional<MissionTime> next_instant() const;
   void instant_passed(MissionTime instant);
-  /// Nothing watched lies at or before `now` any more.
+  /// Sets the present. Precondition: no watched instant is at or before `now`.
   void now_is(MissionTime now) { now_ = now; }
-  /// Forgets instants that no formula watches any more, so that next_instant() tells the truth.
+  /// Forgets leading instants that no formula watches any more, so that next_instant() is right.
   void trim_instants();
 
-  /// The next task to interrupt (Ξ) or to dispatch or abort (Π), taken out of its queue.
+  /// Removes from its queue and returns the next task whose Ξ is satisfied (to interrupt), or whose
+  /// Π is satisfied or false for ever (to dispatch or abort).
   std::optional<Plan::Slot> take_exit();
   std::optional<Plan::Slot> take_precondition();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The executive's insides: the event loop over plan, conditions, resources, timers.
+// Implementation of the executive: the event loop over plan, conditions, resources and timers.
 #pragma once
 
 #include <optional>
@@ -84,7 +84,7 @@ class Executive::Core {
   Background background_;
   std::uint32_t joint_active_ = 0;
 
-  std::uint32_t motion_;  ///< number of the resource
+  std::uint32_t motion_;  ///< number of the resource kMotion
 };
 
 }  // namespace skein::executive

@@ -27,14 +27,14 @@ struct CompiledLiteral {
   }
 };
 
-/// Knows at any time whether the conjunction is satisfied or false for ever; a literal that changes
-/// costs O(1). Invariant: the counters agree with the values of the literals.
+/// A formula that knows at any time whether it is satisfied or false for ever. Cost of a change of
+/// a literal: O(1). Invariant: the counters agree with the values of the literals.
 class FormulaState {
  public:
-  /// Takes the place of what was there; every earlier watch of this formula becomes stale.
+  /// Replaces the formula; every earlier watch of it becomes stale.
   /// `literals` are grouped by clause, clauses are numbered from 0 to clauses-1.
   void assign(std::vector<CompiledLiteral> literals, std::uint32_t clauses);
-  /// Without clauses, its memory given back.
+  /// Removes all clauses and frees their memory.
   void clear() { assign({}, 0); }
 
   /// Changes with every assign(); a watch made under another version is stale.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of tasks: what is in the plan, what is remembered of what has left it.
+// The table of tasks: those in the plan, and the last states of those that have left it.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 
 namespace skein::executive {
 
-/// A task of the plan. Its slot is its place in the table, given again after a SUPPRESS; the
-/// versions of its formulas go on, so that watches of the former task stay stale.
+/// A task of the plan. Its slot is its index in the table. Slots are used again after a SUPPRESS;
+/// the versions of their formulas go on, so that watches of the former task stay stale.
 struct TaskRecord {
   TaskId id;
   std::string type;
@@ -31,8 +31,8 @@ struct TaskRecord {
   FormulaState preconditions, exit;
   WatchList watchers;                    ///< literals that name this task
   std::vector<std::uint32_t> resources;  ///< numbers of ResourceUse
-  std::optional<MissionTime> due;        ///< of the timer that counts: urgent wait or time-out
-  std::uint32_t blockers = 0;            ///< tasks that an urgent one still waits for
+  std::optional<MissionTime> due;        ///< instant of the valid timer: urgent wait or time-out
+  std::uint32_t blockers = 0;            ///< number of tasks that this urgent task still waits for
   std::uint32_t place_among_open = 0;
   TaskState state = TaskState::kScheduled;
   bool urgent = false;  ///< inserted by VUT and not yet dispatched
@@ -48,32 +48,32 @@ struct TaskRecord {
   }
 };
 
-/// Invariant: every id that was ever inserted (background routine apart, once over) is known, with
-/// its state, whether or not it is still in the plan: a byte of each that has left it. References
-/// to records stay valid.
+/// The tasks by slot and by id. Invariant: the state of every task that was ever inserted is known
+/// (except of finished background routines), also after it has left the plan, for about one byte
+/// each. References to records stay valid.
 class Plan {
  public:
   using Slot = std::uint32_t;
 
-  /// Precondition: may_insert(id). The record is blank but for id, type, parameters,
-  /// synchronisation.
+  /// Inserts a task; of its record only id, type, parameters and synchronisation are filled in.
+  /// Precondition: may_insert(id).
   Slot insert(Task&& task, bool background);
   void set_state(Slot slot, TaskState state);
-  /// Takes a terminal task out; what it was remains known unless it is of the background routine.
+  /// Removes a terminal task; its state remains known, except of a background routine.
   void remove(Slot slot);
-  /// A task of this id, which has been removed, may be inserted again.
+  /// Allows a task with this id, which has been removed, to be inserted again.
   void readmit(TaskId id) { left_.set(id.value(), left_.of(id.value()) | kReadmitted); }
   bool may_insert(TaskId id) const;
 
   TaskRecord& operator[](Slot slot) { return records_[slot]; }
   const TaskRecord& operator[](Slot slot) const { return records_[slot]; }
   std::optional<Slot> find(TaskId id) const;
-  /// Also of a suppressed task; absent for an id never inserted.
+  /// The state of a task, also of a suppressed one; absent for an id never inserted.
   std::optional<TaskState> state_of(TaskId id) const;
 
   /// Tasks not yet terminal, background routine left out, in the order of their ids.
   std::vector<TaskId> open() const;
-  /// All that are in the plan, in the order of their ids. What has left it costs nothing here.
+  /// All tasks in the plan, in the order of their ids.
   const std::map<TaskId, Slot>& slots() const { return slots_; }
   /// Grows whenever a task comes, goes or changes its state; never decreases.
   std::uint64_t changes() const { return changes_; }
@@ -86,7 +86,7 @@ class Plan {
   std::vector<Slot> free_;
   std::vector<Slot> open_;
   std::unordered_map<TaskId, Slot> by_id_;  ///< in the plan
-  ByteBook left_;  ///< 1 + state of each that has left the plan, and kReadmitted
+  ByteBook left_;  ///< 1 + state of each task that has left the plan, and kReadmitted
   std::map<TaskId, Slot> slots_;
   std::uint64_t changes_ = 0;
 };

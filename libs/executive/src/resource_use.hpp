@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which tasks under way use which exclusive resource.
+// Which active tasks use which exclusive resource.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace skein::executive {
 
-/// Resources are numbered when first heard of. A task uses its resources from its dispatch until it
-/// is terminal.
+/// The users of each exclusive resource. Resources are numbered at their first mention. A task uses
+/// its resources from its dispatch until it is terminal.
 class ResourceUse {
  public:
   std::uint32_t number_of(const std::string& resource) {
@@ -29,7 +29,7 @@ class ResourceUse {
     for (const std::uint32_t resource : resources) users_[resource].erase(id);
   }
   const std::set<TaskId>& users_of(std::uint32_t resource) const { return users_[resource]; }
-  /// Tasks under way that share a resource with these.
+  /// The active tasks that use any of these resources.
   std::set<TaskId> users_of(const std::vector<std::uint32_t>& resources) const {
     std::set<TaskId> all;
     for (const std::uint32_t resource : resources) {

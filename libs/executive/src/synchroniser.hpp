@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Synchronisation messages: who has sent, who is still waited for, who is to be sent to again.
+// Bookkeeping of synchronisation messages: received, awaited, and to be repeated.
 #pragma once
 
 #include <cstdint>
@@ -15,30 +15,30 @@
 
 namespace skein::executive {
 
-/// What a partner said last is kept, also before the task: it counts for ever when it is done or
-/// without a validity, else for that long, and not at all once withdrawn.
-/// Source: T III.2.3, spec 2.6.
+/// Keeps the last message of each partner, also if it comes before the task starts. The message is
+/// valid for ever if it is kDone or if there is no validity, otherwise for `validity`; kWithdrawn
+/// makes it void. Source: T III.2.3, spec 2.6.
 class Synchroniser {
  public:
   Synchroniser(std::string own_name, std::optional<Duration> validity)
       : own_(std::move(own_name)), validity_(validity) {}
 
-  /// The UAVs that this one sends to, in the order of the receivers, each once.
+  /// The UAVs that this UAV sends messages to, in the order of the receivers, each once.
   std::vector<std::string> targets(const Synchronisation& synchronisation) const;
 
-  /// From now on the task waits for senders and its messages are sent again. True when there is
-  /// nobody (left) to wait for.
+  /// From now on the task waits for its senders, and its own messages are repeated on demand
+  /// (missed_by()). True if no sender is awaited any more.
   bool begin(TaskId task, const Synchronisation& synchronisation, MissionTime now);
   /// The tasks that this message completes, in the order of their ids.
   std::vector<TaskId> received(const SyncReceived& message, MissionTime now);
-  /// What is to be said again to this UAV, once for each synchronisation: in the order of its
-  /// tasks, then what was withdrawn.
+  /// The messages to be repeated to this UAV, one for each synchronisation: in the order of the
+  /// tasks, then the withdrawn ones.
   std::vector<std::pair<std::uint64_t, SyncWord>> missed_by(const std::string& name) const;
-  /// The task waits no more; its messages go on being sent again until forget().
+  /// The task has synchronised and waits no more; its messages are still repeated until forget().
   void finish(TaskId task, const Synchronisation& synchronisation);
   void forget(TaskId task, const Synchronisation& synchronisation);
-  /// As forget(); the UAVs that this task had told of, and no other task of that synchronisation
-  /// has: they are to be told that it is withdrawn.
+  /// As forget(). Returns the UAVs to which kWithdrawn is to be sent: those that got a message of
+  /// this task and of no other task of the same synchronisation.
   std::vector<std::string> withdraw(TaskId task, const Synchronisation& synchronisation);
 
  private:
@@ -60,7 +60,7 @@ class Synchroniser {
   std::map<std::uint64_t, std::map<std::string, Heard>> heard_;
   std::map<std::uint64_t, std::map<TaskId, std::set<std::string>>> waiting_;  ///< task → senders
   std::map<std::string, std::map<TaskId, Sent>> sent_;
-  std::map<std::string, std::set<std::uint64_t>> withdrawn_;  ///< told to whom
+  std::map<std::string, std::set<std::uint64_t>> withdrawn_;  ///< synchronisations by addressee
 };
 
 }  // namespace skein::executive

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Instants at which something other than a condition is due.
+// Timers other than those of time conditions.
 #pragma once
 
 #include <compare>
@@ -14,7 +14,7 @@
 
 namespace skein::executive {
 
-/// At one instant they go off in the order of their kinds, then of their ids.
+/// Timers for the same instant expire in the order of their kinds, then of their ids.
 struct Timer {
   enum class Kind : std::uint8_t { kUrgentWait, kTimeout, kBackgroundRetry, kSyncAgain };
   MissionTime at;
@@ -23,7 +23,7 @@ struct Timer {
   auto operator<=>(const Timer&) const = default;
 };
 
-/// A timer is never taken out early: whoever set it knows whether it still counts.
+/// A queue of timers. Timers are never cancelled: their owner knows whether one is still valid.
 class Timers {
  public:
   void set(Timer timer) { queue_.push(timer); }

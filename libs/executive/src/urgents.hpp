@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Urgent tasks between their START and their start.
+// Urgent (VUT) tasks between their insertion by START and their dispatch.
 #pragma once
 
 #include <optional>
@@ -12,23 +12,24 @@
 
 namespace skein::executive {
 
-/// Each waits until no task that is incompatible with it is left, or until it is told to go all the
-/// same. Source: T III.2.1 (VUT), spec 2.3.
+/// An urgent task waits until no incompatible task is active, or until force(). Source: T III.2.1
+/// (VUT), spec 2.3.
 class Urgents {
  public:
-  /// The task waits for these to be over; for none, it goes. `moves`: it uses motion.
+  /// Adds an urgent task that waits until all `blockers` are terminal; without any it is ready at
+  /// once. `moves`: it uses the resource kMotion.
   void enter(TaskRecord& record, Plan::Slot slot, const std::set<TaskId>& blockers, bool moves);
-  /// It goes, whoever it waited for.
+  /// Makes the task ready although it still has blockers.
   void force(TaskRecord& record, Plan::Slot slot);
-  /// Nobody waits for this task any more.
+  /// The task `blocker` is terminal: urgent tasks no longer wait for it.
   void over(TaskId blocker, Plan& plan);
-  /// The next that may go.
+  /// The next ready task.
   std::optional<Plan::Slot> take(const Plan& plan);
-  /// It is urgent no more: it has started, or never will.
+  /// The task is not urgent any more: it was dispatched, or never will be.
   void leave(TaskRecord& record);
-  /// Likewise, and somebody else has it now.
+  /// The task was handed over to another executive (Relinquish).
   void let_go(TaskId task);
-  /// One is about to move.
+  /// Whether some urgent task uses kMotion.
   bool any_to_move() const { return !to_move_.empty(); }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a fact to the literals that name it.
+// Watches: links from a fact to the literals that name it.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 
 namespace skein::executive {
 
-/// Of the two formulas of a task.
+/// Which of the two formulas of a task.
 enum class Role : std::uint8_t { kPreconditions, kExit };
 
-/// One literal of one formula; stale once the formula has another version. 12 bytes.
+/// A reference to one literal of one formula; stale once the formula has another version. 12 bytes.
 struct Watch {
   std::uint32_t slot = 0;
   std::uint32_t version = 0;
@@ -21,8 +21,8 @@ struct Watch {
   Role role() const { return exit != 0 ? Role::kExit : Role::kPreconditions; }
 };
 
-/// The watches of one fact, in no order that shows. Stale ones are dropped when met, and before the
-/// list grows, so that a list never holds more than about twice its live watches.
+/// The watches of one fact, in an order that has no effect. Stale watches are dropped when visited
+/// and before the list grows, so that a list never holds more than about twice its live watches.
 class WatchList {
  public:
   template <class IsLive>

@@ -34,7 +34,7 @@ struct TimeIs {
 
 using Condition = std::variant<TaskInState, MessageReceived, TimeIs>;
 
-/// What becomes of a literal that can no longer be satisfied. Source: T III.1.3.
+/// The value of a literal that can no longer be satisfied. Source: T III.1.3.
 enum class Modality : std::uint8_t {
   kMandatory,  ///< false for ever
   kOptional,   ///< true
@@ -42,7 +42,7 @@ enum class Modality : std::uint8_t {
 
 std::string_view to_text(Modality modality);
 
-/// A condition or its negation, with the modality of the whole.
+/// A condition or its negation, with a modality.
 struct Literal {
   Condition condition;
   bool negated = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that the executive asks of the world around it, in order.
+// The outputs of the executive.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,9 @@
 
 namespace skein::executive {
 
-/// A transition. `reason` says why a task was interrupted, cancelled or aborted; may be empty.
-/// `cause` is of that: the first one, where an interruption was answered with another.
+/// A task has entered `state`. `reason` says why a task was interrupted, cancelled or aborted; may
+/// be empty. `cause` is the cause of that; if the abort that answers an interruption comes with
+/// another cause, the cause of the interruption stays.
 struct TaskEvent {
   TaskId id;
   std::string type;
@@ -23,22 +24,23 @@ struct TaskEvent {
   bool operator==(const TaskEvent&) const = default;
 };
 
-/// Carry this task out (functional layer; supervisor when joint). Its type and parameters are in
-/// Executive::find(id), which still knows it when this effect is handled.
+/// The functional layer (for a joint task the supervisor) is to carry out this task. Its type and
+/// parameters are in Executive::find(id), until the next handle().
 struct Dispatch {
   TaskId id;
   bool joint = false;
   bool operator==(const Dispatch&) const = default;
 };
 
-/// Stop this task, then report `aborted` (functional layer; supervisor when joint).
+/// The functional layer (for a joint task the supervisor) is to stop this task and then report
+/// `aborted`.
 struct Interrupt {
   TaskId id;
   bool joint = false;
   bool operator==(const Interrupt&) const = default;
 };
 
-/// Send this UAV's message of synchronisation `id` to `to`.
+/// This UAV's synchronisation message for synchronisation `id` is to be sent to the UAV `to`.
 struct SendSync {
   std::uint64_t id = 0;
   std::string to;
@@ -55,7 +57,7 @@ struct Reply {
   bool operator==(const Reply&) const = default;
 };
 
-/// A status of another task while a joint task is under way. Source: T III.2.4.
+/// An event of another task while a joint task is under way. Source: T III.2.4.
 struct ForwardToSupervisor {
   TaskEvent event;
   bool operator==(const ForwardToSupervisor&) const = default;

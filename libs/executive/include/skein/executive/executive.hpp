@@ -21,9 +21,9 @@ struct Config {
   std::optional<std::string> background_type;    ///< absent: no background routine
   std::optional<Duration> functional_timeout;    ///< absent: wait for ever
   Duration urgent_wait = Duration::seconds(10);  ///< longest wait of a VUT task
-  /// How long it counts that a partner said it was there; who waits says it again at half of that,
-  /// says when it has synchronised, and withdraws when it gives up. Absent: it counts for ever and
-  /// is never taken back (T III.2.3).
+  /// How long a partner's SyncWord::kThere is valid. A waiting UAV repeats its own after half of
+  /// that time, sends kDone when it has synchronised, and kWithdrawn when it gives up. Absent:
+  /// messages are valid for ever and are never withdrawn (T III.2.3).
   std::optional<Duration> sync_validity = {};
   Duration background_retry = Duration::seconds(5);  ///< before a refused routine is tried again
 };
@@ -37,7 +37,7 @@ struct TaskStatus {
   bool operator==(const TaskStatus&) const = default;
 };
 
-/// What is kept of a task in the plan; references into the executive, valid until the next
+/// A task in the plan. Its references point into the executive and are valid until the next
 /// handle().
 struct TaskView {
   TaskId id;
@@ -49,31 +49,32 @@ struct TaskView {
   AbortCause cause;
 };
 
-/// Keeps a plan of tasks with event-driven dependencies and runs it. It reasons on dependencies
-/// only; what a task is about is for the functional layer (or, joint, for the supervisor).
+/// Keeps a plan of tasks with event-driven dependencies and executes it. It reasons on dependencies
+/// only; the content of a task is for the functional layer (of a joint task, for the supervisor).
 ///
 ///   from              on                                             to
 ///   (new)             START, coherent                                scheduled
 ///   (new)             START, incoherent                              aborted
 ///   scheduled         Π satisfied, or urgent and free to go          started
 ///   scheduled         Π false for ever, Ξ satisfied, ABORT           aborted
-///   started           running from who carries it out                running
-///   started, running  ended from who carries it out                  ended
-///   started, running  aborted from who carries it out                aborted
+///   started           running from its performer (functional layer   running
+///                     or supervisor)
+///   started, running  ended from its performer                       ended
+///   started, running  aborted from its performer                     aborted
 ///   started           no answer within functional_timeout            aborted
-///   started           started: it waits                              started, time-out begins anew
+///   started           started from its performer, which still waits  started, time-out begins anew
 ///   started, running  Ξ satisfied, ABORT, VUT of an incompatible     aborting
 ///   aborting          ended or aborted; no answer within time-out    aborted
 ///
-/// Anything else changes nothing and gives a Notice. Relinquish takes tasks out of the plan without
-/// a transition. A synchronise task goes scheduled → started →
-/// running by itself, and aborting → aborted in the same step.
+/// Any other status changes nothing and gives a Notice. Relinquish takes tasks out of the plan
+/// without a transition. The executive itself takes a synchronise task from scheduled over started
+/// to running, and from aborting to aborted in the same step.
 ///
-/// Laws: one input sequence has one outcome; of several things that may happen in one step, exit
+/// Laws: one input sequence has one outcome; if several transitions are possible in one step, exit
 /// conditions come first, then urgent tasks, then preconditions, the lowest id first in each.
-/// Cost: an input costs in proportion to the conditions that name what it changes (and for a VUT to
-/// the tasks under way that it interrupts), with logarithmic look-ups; never to the plan's size,
-/// except that DEP and NUT create one condition for each task not yet terminal.
+/// Cost: an input costs in proportion to the conditions on the facts that it changes (a VUT also to
+/// the active tasks that it interrupts), with logarithmic look-ups; it does not depend on the size
+/// of the plan, except that DEP and NUT create one condition for each task not yet terminal.
 /// Thread rule: one thread at a time.
 /// Source: T III, spec 2.
 class Executive {
@@ -83,11 +84,11 @@ class Executive {
   Executive(Executive&&) noexcept;
   Executive& operator=(Executive&&) noexcept;
 
-  /// Instants up to and at `now` pass first, in order, each as an event of its own; then the input.
-  /// A `now` before the last one counts as the last one.
+  /// Processes first the instants up to and including `now`, in order, each as an event of its own;
+  /// then the input. A `now` before the last one counts as the last one.
   Effects handle(const Input& input, MissionTime now);
 
-  /// The next instant that means something to a task; call handle(Tick{}, …) then. Absent: none.
+  /// The next instant of a time condition or a timer; call handle(Tick{}, …) then. Absent: none.
   std::optional<MissionTime> next_wakeup() const;
 
   /// The tasks of the plan in the order of their ids, background routine included. Cost: O(n),
@@ -97,8 +98,9 @@ class Executive {
   std::uint64_t changes() const;
   /// Absent: never started, or suppressed.
   std::optional<TaskView> find(TaskId id) const;
-  /// The Π and Ξ in force: what DEP and NUT made of them, empty once they no longer matter (Π once
-  /// dispatched or urgent, both once terminal). Empty for a task that is not in the plan.
+  /// The Π and Ξ in force, with the conditions that DEP and NUT added. Empty once they no longer
+  /// matter (Π once dispatched or urgent, both once terminal), and for a task that is not in the
+  /// plan.
   Formula preconditions(TaskId id) const;
   Formula exit_conditions(TaskId id) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that can happen to the executive.
+// The inputs of the executive.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@
 
 namespace skein::executive {
 
-/// How START ties a new task to those already there. Source: T III.2.1, spec 2.3.
+/// How START relates a new task to the tasks of the plan. Source: T III.2.1, spec 2.3.
 enum class InsertionMode : std::uint8_t {
   kSeq,  ///< sequential: Π and Ξ as given
-  kVut,  ///< very urgent: at once; what is incompatible and under way is interrupted
-  kDep,  ///< dependent: after the end of every task not yet terminal, mandatory
-  kNut,  ///< not urgent: the same, optional
+  kVut,  ///< very urgent: starts at once; incompatible active tasks are interrupted
+  kDep,  ///< dependent: Π also requires the end of every task not yet terminal, as mandatory
+  kNut,  ///< not urgent: like kDep, as optional
 };
 
 /// "SEQ", "VUT", "DEP", "NUT".
@@ -38,7 +38,7 @@ struct ProcessMessage {
   std::string message;
 };
 
-/// What is absent stays as it is.
+/// Replaces formulas of a task; an absent one stays as it is.
 struct UpdateConditions {
   TaskId id;
   std::optional<Formula> preconditions;
@@ -49,22 +49,22 @@ struct Suppress {
   TaskId id;
 };
 
-/// From the functional layer, or for a joint task from the supervisor.
+/// A status from the functional layer, or for a joint task from the supervisor.
 using FunctionalStatus = functional::Status;
 
 /// What a synchronisation message says of its sender.
 enum class SyncWord : std::uint8_t {
-  kThere,      ///< it is there and waits; counts for Config::sync_validity
-  kDone,       ///< it has synchronised, or only had to say so; counts for ever
-  kWithdrawn,  ///< it has given up: what it said before counts no more
+  kThere,      ///< the sender has arrived and waits; valid for Config::sync_validity
+  kDone,       ///< the sender has synchronised, or is a sender only; valid for ever
+  kWithdrawn,  ///< the sender has given up: its earlier messages are void
 };
 
 /// "there", "done", "withdrawn".
 std::string_view to_text(SyncWord word);
 std::optional<SyncWord> sync_word_from(std::string_view text);
 
-/// A synchronisation message; `id` is the synchronisation's. One that was said before another of
-/// the same sender changes nothing. Source: spec 2.6.
+/// A synchronisation message arrived, for synchronisation `id`. A message that was sent before
+/// another one of the same sender is ignored. Source: spec 2.6.
 struct SyncReceived {
   std::uint64_t id = 0;
   std::string from;
@@ -72,21 +72,22 @@ struct SyncReceived {
   std::optional<MissionTime> said = {};  ///< when it was sent; absent: now
 };
 
-/// This UAV can be reached again: it is sent again what it may have missed.
+/// The UAV `name` is reachable again; synchronisation messages that it may have missed are
+/// repeated.
 struct PeerReachable {
   std::string name;
 };
 
-/// Whether the vehicle flies; the executive also learns it from tasks `takeoff` and `land` that
-/// end. Matters to the background routine only.
+/// Whether the vehicle flies, for the background routine. The executive also learns it from tasks
+/// that end (`takeoff`, `land`).
 struct Flight {
   bool airborne = false;
 };
 
-/// Another executive has taken over the tasks below this id that are not terminal. They leave the
-/// plan: whoever carries them out is told nothing, and there is no event but one Notice. To
-/// conditions of others they count as aborted, and a START may bring each of them back. The
-/// background routine is interrupted and rests until the next START. Source: spec 1.2 (hand-over).
+/// Another executive has taken over the non-terminal tasks with ids below `below`. They leave the
+/// plan without an Interrupt and without events other than one Notice. In conditions of other tasks
+/// they count as aborted, and a START may insert each of them again. The background routine is
+/// interrupted and rests until the next START. Source: spec 1.2 (hand-over).
 struct Relinquish {
   TaskId below = kFirstBackgroundId;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Task types as the executive needs them: resources, and who carries a task out.
+// The exclusive resources of task types.
 #pragma once
 
 #include <map>
@@ -13,13 +13,13 @@
 
 namespace skein::executive {
 
-/// The resource of whatever moves the vehicle, or keeps it where it is.
+/// The resource of all tasks that move the vehicle or hold it in place.
 inline constexpr std::string_view kMotion = "motion";
 
-/// Type name → names of the exclusive resources: those that the registry of task types says, or
-/// those declared here beside it. A task that lacks the parameter that names its device uses the
-/// one unnamed resource "". What others carry out for a joint task takes resources, the joint task
-/// itself none. Source: spec 2.5.
+/// Maps task types to the names of their exclusive resources, from the registry of task types or
+/// from declare(). A task without the parameter that should name its device uses the resource "". A
+/// joint task itself uses no resources; the elementary tasks that its roles ask for do. Source:
+/// spec 2.5.
 class TypeTable {
  public:
   explicit TypeTable(functional::TaskTypes types) : types_(std::move(types)) {}
@@ -29,9 +29,10 @@ class TypeTable {
   /// Adds a type, or replaces its resources. A resource written `$name` stands for the text of the
   /// task's parameter `name`.
   void declare(std::string type, std::vector<std::string> resources);
-  /// Joint types count as declared.
+  /// Whether the type is known; joint types always are.
   bool is_declared(std::string_view type) const;
-  /// A type that was declared here only asks nothing of the vehicle.
+  /// The registry's entry; for a type that is known by declare() only, one without demands on the
+  /// vehicle.
   const functional::TaskType& of(std::string_view type) const { return types_.of(type); }
   /// Sorted, without repetition; empty for a type that is not declared.
   std::vector<std::string> resources_of(const std::string& type,

@@ -15,19 +15,19 @@
 
 namespace skein::executive {
 
-/// The executive reads none of them but the device that names a resource (spec 2.5); they travel
-/// through it to whoever carries the task out.
+/// Parameters are for the functional layer. The executive reads only those that name a device, for
+/// its resource (spec 2.5).
 using functional::Parameter;
 using functional::Parameters;
 
-/// What a task of a type that synchronises does (`synchronise`, `rendezvous`). A UAV among the
+/// The synchronisation that a task (`synchronise`, `rendezvous`) carries out. A UAV among the
 /// senders sends one message to each other receiver, in the order of `receivers`; a UAV among the
 /// receivers waits for the message of each other sender. Source: T III.2.3, spec 2.6.
 struct Synchronisation {
   std::uint64_t id = 0;  ///< common to all the UAVs concerned
   std::vector<std::string> senders;
   std::vector<std::string> receivers;
-  std::optional<MissionTime> deadline;  ///< once passed, it counts as a satisfied exit condition
+  std::optional<MissionTime> deadline;  ///< once it has passed, the exit condition is satisfied
   bool operator==(const Synchronisation&) const = default;
 };
 
@@ -38,11 +38,11 @@ struct Task {
   Parameters parameters;
   Formula preconditions;                           ///< Π
   Formula exit;                                    ///< Ξ
-  std::optional<Synchronisation> synchronisation;  ///< present exactly for those types
+  std::optional<Synchronisation> synchronisation;  ///< present exactly for types that synchronise
   bool operator==(const Task&) const = default;
 };
 
-/// Joint tasks are the types that begin with this; the supervisor carries them out.
+/// Prefix of the types of joint tasks, which the supervisor carries out.
 inline constexpr std::string_view kJointPrefix = "joint:";
 
 bool is_joint(std::string_view type);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Task identifiers and the states of a task, which are those of the port to the vehicle.
+// Task identifiers and task states, taken from the port to the vehicle (skein::functional).
 #pragma once
 
 #include "skein/functional/task.hpp"
