@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of an elementary task, from whoever plans it to whoever carries it out.
+// The parameters of an elementary task, from its planner to its performer.
 #pragma once
 
 #include <initializer_list>
@@ -13,12 +13,13 @@ namespace skein::functional {
 /// A named value: a text, or numbers. Way-points are flat: x, y, z, x, y, z, …
 struct Parameter {
   std::string name;
-  std::string text;             ///< empty when it is numbers
-  std::vector<double> numbers;  ///< empty when it is a text
+  std::string text;             ///< empty if the value is numbers
+  std::vector<double> numbers;  ///< empty if the value is a text
   bool operator==(const Parameter&) const = default;
 };
 
-/// In the order given; a name may wrongly come twice (the functional layer refuses that).
+/// Parameters in the order given. Duplicate names are not rejected here, but by the functional
+/// layer.
 class Parameters {
  public:
   Parameters() = default;
@@ -31,7 +32,7 @@ class Parameters {
   Parameters& add(std::string name, std::initializer_list<double> numbers);
   Parameters& add(std::string name, double number);
 
-  /// The first of that name; null when there is none. Valid until the next change. Cost: linear.
+  /// The first parameter with this name, or null. Valid until the next change. Cost: linear.
   const Parameter* find(std::string_view name) const;
   const std::vector<Parameter>& all() const { return all_; }
   bool operator==(const Parameters&) const = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The port to one vehicle: what its functional layer is asked, and what it answers. Who speaks for
-// several vehicles adds the name. What a vehicle tells besides is world/perception.hpp and
+// The port to one vehicle: the requests to its functional layer, and the answers. A functional
+// layer of several vehicles adds their names. Its other outputs are in world/perception.hpp and
 // world/telemetry.hpp. The contract: docs/functional-layer.md. Source: spec 1.1, 2.1, T II.1.
 #pragma once
 
@@ -14,22 +14,23 @@ namespace skein::functional {
 
 enum class Verb : std::uint8_t { kDispatch, kInterrupt };
 
-/// Carry this task out, or stop it. A task that comes twice is answered twice and done once.
+/// The order to carry out a task, or to stop it. A request that is received twice is answered twice
+/// and carried out once.
 struct Request {
   Verb verb = Verb::kDispatch;
   TaskId id;
-  std::string type = {};       ///< of a dispatch: one that the registry of task types has
-  Parameters parameters = {};  ///< of a dispatch
+  std::string type = {};       ///< kDispatch only: a type of the registry of task types
+  Parameters parameters = {};  ///< kDispatch only
   bool operator==(const Request&) const = default;
 };
 
-/// Where a task stands: running, ended or aborted; an `aborted` that answers a dispatch is a
-/// rejection; `started`: not yet, but it will come (a decision node's, of a motion that waits for
-/// its air).
+/// The status of a task: running, ended or aborted. An `aborted` that answers a dispatch is a
+/// rejection. `started` comes from a decision node only: the task (a motion that waits for its air)
+/// has not begun yet.
 struct Status {
   TaskId id;
   TaskState state = TaskState::kRunning;
-  std::string reason;  ///< of an abort, always
+  std::string reason;  ///< given with every abort
   AbortCause cause = AbortCause::kOther;
   bool operator==(const Status&) const = default;
 };

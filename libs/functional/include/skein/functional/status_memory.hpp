@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a functional layer told last of each of its tasks.
+// The last status that a functional layer has reported of each of its tasks.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,20 @@
 
 namespace skein::functional {
 
-/// So that a request that comes twice is answered twice and carried out once, however late. Of the
-/// last kKept tasks that are over all is kept; of those before, two bytes each: that it ended or
-/// was aborted, without the reason. Cost: of a map, and kKept comparisons when a task is over.
+/// Lets a functional layer answer a repeated request, however late, without carrying it out again.
+/// The last kKept terminal tasks are kept completely, older ones in about two bytes each: their
+/// terminal state, without reason. Cost: a map look-up, and kKept comparisons when a task ends.
 class StatusMemory {
  public:
   static constexpr std::size_t kKept = 256;
 
   void set(const Status& status);
-  /// Taken on, though nothing can be told yet.
+  /// The task was accepted, without a status so far.
   void note(TaskId task) {
     if (!knows(task)) last_.try_emplace(task);
   }
   bool knows(TaskId task) const { return last_.contains(task) || past_.knows(task.value()); }
-  /// Absent when nothing was told. Precondition: it is known.
+  /// The last status; absent if there is none yet. Precondition: knows(task).
   std::optional<Status> last(TaskId task) const;
   void forget() { *this = {}; }
 
@@ -33,8 +33,8 @@ class StatusMemory {
   void let_go_of_oldest();
 
   std::map<TaskId, std::optional<Status>> last_;
-  std::deque<TaskId> over_;  ///< of those, the oldest first
-  ByteBook past_;            ///< 1 + state of each that was let go
+  std::deque<TaskId> over_;  ///< the terminal ones of last_, the oldest first
+  ByteBook past_;            ///< 1 + state of each task that was dropped from last_
 };
 
 }  // namespace skein::functional

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An elementary task as everybody names it: its number, whose range tells who made it, and its
-// states.
+// Identifiers of elementary tasks, whose range tells who made the task, and the states of a task.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +13,15 @@ namespace skein::functional {
 /// Unique within the UAV for the whole mission.
 using TaskId = Id<struct TaskIdTag, std::uint64_t>;
 
-/// Below this the ground station's tasks and the supervisor's; from here on those that roles of
-/// joint tasks ask for which the ground station plays.
+/// Lower ids are for tasks of the ground station and of the supervisor. From here on: tasks for
+/// roles of joint tasks that the ground station plays.
 inline constexpr TaskId kFirstPlayedId{400'000'000};
-/// From here on those that roles ask for on board; from kFirstOwnId on those that a decision node
-/// makes to keep its vehicle safe: see decision_node.
+/// From here on: tasks for roles of joint tasks that the UAV plays itself.
 inline constexpr TaskId kFirstRoleId{500'000'000};
+/// From here on: tasks that a decision node makes to keep its vehicle safe (see decision_node).
 inline constexpr TaskId kFirstOwnId{1'000'000'000};
-/// Background routine tasks are numbered by the executive from here on; a request may not use such
-/// an id. (Every id of the range is exact as a JSON number, that is, below 2^53.)
+/// From here on: background routines, numbered by the executive; requests must not use these ids.
+/// (All of them are below 2^53, and so exact as JSON numbers.)
 inline constexpr TaskId kFirstBackgroundId{9'000'000'000'000'000};
 
 /// Source: T III.1.1, spec 2.1. The transitions are in executive.hpp.
@@ -39,17 +38,17 @@ enum class TaskState : std::uint8_t {
 std::string_view to_text(TaskState state);
 std::optional<TaskState> task_state_from(std::string_view text);
 
-/// Why a task was aborted, where somebody decides by it. Its reason, in words, is for people.
+/// Why a task was aborted, for decisions; the `reason` beside it is text for people.
 enum class AbortCause : std::uint8_t {
-  kOther,      ///< whatever else: a vehicle's functional layer says nothing but this
+  kOther,      ///< any other cause; the only one that a vehicle's functional layer reports
   kRequested,  ///< an ABORT
-  kNoAir,      ///< others left its motion no air for so long that it is given up
+  kNoAir,      ///< its motion was given up, since for too long other UAVs left it no air
 };
 
 /// "other", "requested", "no-air".
 std::string_view to_text(AbortCause cause);
 
-/// Ended or aborted: no transition leaves it.
+/// Ended or aborted: there are no further transitions.
 constexpr bool is_terminal(TaskState state) {
   return state == TaskState::kEnded || state == TaskState::kAborted;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a type of elementary tasks asks of the vehicle.
+// Types of elementary tasks: their demands on the vehicle.
 #pragma once
 
 #include <algorithm>
@@ -11,37 +11,40 @@
 namespace skein::functional {
 
 enum class Motion : std::uint8_t {
-  kNone,   ///< it does not care what the vehicle does
-  kKeeps,  ///< the vehicle is to stay where it is
-  kMoves,
+  kNone,   ///< independent of the vehicle's motion
+  kKeeps,  ///< the vehicle has to hold its position
+  kMoves,  ///< the task moves the vehicle
 };
 
+/// The condition of the vehicle after the task has ended.
 enum class Leaves : std::uint8_t { kAsItWas, kInTheAir, kOnTheGround };
 
 enum class CarriedOutBy : std::uint8_t {
   kFunctionalLayer,
-  kExecutive,    ///< by synchronisation messages
-  kInteraction,  ///< with other UAVs, by the supervisor
+  kExecutive,    ///< with synchronisation messages
+  kInteraction,  ///< joint tasks: with other UAVs, through the supervisor
 };
 
+/// What ends a task of a type.
 enum class Ending : std::uint8_t {
-  kByItself,  ///< nature, or its parameters, say when
-  kByOrder,   ///< whoever gives the next orders
-  kByStop,    ///< another task that its stop names
+  kByItself,  ///< its nature, or its parameters
+  kByOrder,   ///< an order from outside
+  kByStop,    ///< another task, which its stop condition names
 };
 
-/// Declared in data (task_types.hpp). Source: spec 2.1, 2.5, 3.3; T III.1.1.
+/// A type of elementary tasks, declared as data (task_types.hpp). Source: spec 2.1, 2.5, 3.3;
+/// T III.1.1.
 struct TaskType {
   std::string name;
-  std::optional<std::vector<std::string>> parameters;  ///< names that it takes; absent: any
+  std::optional<std::vector<std::string>> parameters;  ///< allowed names; absent: any
   Motion motion = Motion::kNone;
-  Leaves leaves = Leaves::kAsItWas;  ///< where the vehicle is when it has ended
-  std::vector<std::string> devices;  ///< parameters that name a device, its own while active
+  Leaves leaves = Leaves::kAsItWas;
+  std::vector<std::string> devices;  ///< parameters that name a device, which the task then owns
   bool radio = false;
   CarriedOutBy by = CarriedOutBy::kFunctionalLayer;
   std::vector<Ending> ends;
 
-  /// Nothing else may move the vehicle while it is active.
+  /// Whether no other task may move the vehicle while this one is active.
   bool holds_vehicle() const { return motion != Motion::kNone; }
   bool synchronises() const { return by == CarriedOutBy::kExecutive; }
   bool is_joint() const { return by == CarriedOutBy::kInteraction; }

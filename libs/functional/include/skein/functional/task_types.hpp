@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one registry of task types: who asks what a task does to the vehicle asks here.
+// The registry of task types.
 #pragma once
 
 #include <map>
@@ -13,29 +13,29 @@
 
 namespace skein::functional {
 
-/// Types by name, and families: a name that ends with `*` stands for all that begin so.
+/// Types by name, and families: a name that ends with `*` stands for all names with that prefix.
 class TaskTypes {
  public:
-  /// Those of scenarios/task-types.yaml. Immutable; any thread.
+  /// The types of scenarios/task-types.yaml at build time. Immutable; any thread.
   static const TaskTypes& shipped();
 
-  /// Adds or replaces.
+  /// Adds a type or a family, or replaces the one of the same name.
   void declare(TaskType type);
-  /// The type of that very name, else of the family with the longest name; or nullptr. Valid until
-  /// the next declare(). Cost: logarithmic, and the number of families.
+  /// The type with exactly this name, otherwise the matching family with the longest prefix, or
+  /// nullptr. Valid until the next declare(). Cost: logarithmic, plus the number of families.
   const TaskType* find(std::string_view name) const;
-  /// As find(); a type that was not declared asks nothing of the vehicle.
+  /// As find(), with a type without demands on the vehicle for names that are not declared.
   const TaskType& of(std::string_view name) const;
-  /// Without families, in alphabetical order.
+  /// The names of the types, without families, in alphabetical order.
   std::vector<std::string> names() const;
   std::vector<std::string> names(CarriedOutBy by) const;
 
  private:
   std::map<std::string, TaskType, std::less<>> types_;
-  std::map<std::string, TaskType, std::less<>> families_;  ///< by what they begin with
+  std::map<std::string, TaskType, std::less<>> families_;  ///< by prefix
 };
 
-/// Reads the format of scenarios/task-types.yaml. `file` is for messages. Every error at once.
+/// Reads the format of scenarios/task-types.yaml. `file` is for messages. Returns all errors.
 Result<TaskTypes, Diagnostics> read_task_types(std::string_view text, const std::string& file);
 
 }  // namespace skein::functional
