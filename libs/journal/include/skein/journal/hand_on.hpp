@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A record handed to whoever takes lines of its kind.
+// Dispatch of a record, as a line of its kind, to a handler.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace skein::journal {
 
-/// When and by whom a line was written; `record` is the line itself. Valid while that lives.
+/// The instant and author of a line, and its record. Valid as long as the record lives.
 struct Written {
   MissionTime at;
   const std::string& node;
   const Record& record;
 };
 
-/// Calls `hearer.hear(Line&&, Written)` if the record is of the kind of one of `Lines`; others
-/// pass. False: it is of such a kind and lacks what a line of it must have, and nobody was called.
-/// Cost: a comparison of names for each of `Lines`, and one line read.
+/// Calls `hearer.hear(Line&&, Written)` if the record is of the kind of one of `Lines`; records of
+/// other kinds are ignored. False: the record is of such a kind but lacks a mandatory field; then
+/// `hearer` was not called. Cost: a comparison of names for each of `Lines`, and one line read.
 template <class... Lines, class Hearer>
 bool hand_on(const Record& record, Hearer& hearer) {
   bool sound = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All kinds of lines with their fields: what docs/journal.md describes and scenarios may expect.
+// All kinds of lines with their fields, as docs/journal.md describes them and scenarios name them.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace skein::journal {
 
-/// Of the type of a field of a line: it is left out when there is nothing to say.
+/// Whether a field of this type is left out of the line when it is empty or absent.
 template <class T>
 inline constexpr bool kMayBeLeftOut = detail::kIsOptional<T>;
 
 struct Kind {
   struct Field {
     std::string name;
-    bool optional = false;  ///< left out when there is nothing to say
+    bool optional = false;  ///< left out when it is empty or absent
   };
   std::string name;
   std::vector<Field> fields;  ///< in the order of the line
@@ -33,9 +33,9 @@ Kind kind_of() {
   return kind;
 }
 
-/// Every kind there is.
+/// All kinds.
 const std::vector<Kind>& kinds();
-/// Null: there is none of that name.
+/// The kind with this name, or null.
 const Kind* find_kind(std::string_view name);
 
 }  // namespace skein::journal

@@ -14,7 +14,7 @@
 
 namespace skein::journal {
 
-/// Text of a field; made of whatever is text.
+/// The text of a field; made from any string type.
 struct Text : std::string {
   Text() = default;
   Text(std::string text) : std::string(std::move(text)) {}
@@ -22,12 +22,12 @@ struct Text : std::string {
   Text(const char* text) : std::string(text) {}
 };
 
-/// Left out of the line when it is empty.
+/// A text field that is left out of the line if it is empty.
 struct OptionalText : Text {
   using Text::Text;
 };
 
-/// Left out of the line when it has none.
+/// A list field that is left out of the line if it has no elements.
 struct OptionalNumbers : std::vector<double> {
   OptionalNumbers() = default;
   OptionalNumbers(std::vector<double> numbers) : std::vector<double>(std::move(numbers)) {}
@@ -79,8 +79,8 @@ Record record_of(MissionTime at, std::string node, Line line) {
   return record;
 }
 
-/// The record as a line, if it is of that kind and every field that it must have is there in the
-/// shape that it must have.
+/// The record as a line; nothing if it is of another kind, or if a mandatory field is missing or
+/// has another type.
 template <class Line>
 std::optional<Line> read_as(const Record& record) {
   if (record.kind() != Line::kKind) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records in words.
+// Records as log messages for people.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace skein::journal {
 
-/// Counted as Foxglove does (foxglove.LogLevel).
+/// Log levels, with the numbers of foxglove.LogLevel.
 enum class Level { kDebug = 1, kInfo = 2, kWarning = 3, kError = 4 };
 
 struct LogLine {
