@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stays known of things that are over: a byte of each number.
+// A compact map from numbers to bytes, for states of things that are over.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace skein {
 
-/// A byte for each number that was ever set, 0 for all others. Made for numbers that mostly follow
-/// one another, as those of tasks do: these take less than two bytes each, one far from all others
-/// a page of 200. Cost: of a search among pages of 128 numbers.
+/// A map from numbers to bytes; the byte of a number that was never set is 0. Made for mostly
+/// consecutive numbers, like those of tasks: these take less than two bytes each; a number far from
+/// all others takes a page of about 200 bytes. Cost: a search among pages of 128 numbers.
 class ByteBook {
  public:
   std::uint8_t of(std::uint64_t number) const {
@@ -23,7 +23,7 @@ class ByteBook {
     pages_.try_emplace(number / kPage, Page{}).first->second[number % kPage] = value;
   }
   void clear() { pages_.clear(); }
-  /// What is kept [bytes].
+  /// Memory in use [bytes], approximately.
   std::size_t memory() const { return pages_.size() * (sizeof(Page) + kNode); }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values as OMG CDR version 1, little-endian. Source: OMG RTPS 2.3, 10.2 (encapsulation); CORBA 3.3
-// part 2, 9.3.
+// Encoder for OMG CDR version 1, little-endian. Source: OMG RTPS 2.3, 10.2 (encapsulation); CORBA
+// 3.3 part 2, 9.3.
 #pragma once
 
 #include <array>
@@ -18,13 +18,13 @@
 
 namespace skein {
 
-/// In front of the values: that they are CDR, little-endian.
+/// The encapsulation header in front of the values: CDR, little-endian.
 inline constexpr std::array<std::uint8_t, 4> kCdrEncapsulation{0, 1, 0, 0};
 
 template <class T>
 concept CdrScalar = std::is_arithmetic_v<T> && !std::same_as<T, bool>;
 
-/// The same bytes from last to first.
+/// The value with its bytes in reverse order.
 template <CdrScalar T>
 T byte_reversed(T value) {
   auto bytes = std::bit_cast<std::array<std::uint8_t, sizeof(T)>>(value);
@@ -32,14 +32,14 @@ T byte_reversed(T value) {
   return std::bit_cast<T>(bytes);
 }
 
-/// Lays values out one after the other behind the encapsulation, each aligned to its size; only
-/// counts if given no room. A record is a type for which `visit_fields(visitor, record)` calls
-/// `visitor(name, field)` for each of its fields. Enumerations are numbers of 32 bits, sequences
-/// have their count in front, arrays do not.
+/// Writes values one after the other, behind the encapsulation header, each aligned to its size;
+/// made without a buffer it only counts bytes. A record is a type for which
+/// `visit_fields(visitor, record)` calls `visitor(name, field)` for each of its fields.
+/// Enumerations are numbers of 32 bits, sequences have their count in front, arrays do not.
 class CdrWriter {
  public:
   CdrWriter() = default;
-  /// Room for everything that follows: it is a broken invariant if it is not enough.
+  /// Writes into `out`. Precondition: `out` has room for all values that follow.
   explicit CdrWriter(std::span<std::uint8_t> out) : out_(out), writes_(true) {}
   std::size_t used() const { return used_; }  ///< [byte]
 
@@ -89,7 +89,7 @@ class CdrWriter {
   }
 
   std::span<std::uint8_t> out_;
-  std::size_t used_ = 0;  ///< after the encapsulation, from where alignment counts
+  std::size_t used_ = 0;  ///< bytes behind the encapsulation header, where alignment begins
   bool writes_ = false;
 };
 

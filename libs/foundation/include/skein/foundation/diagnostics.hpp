@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bad input from outside: every error at once, each with where it is and what was expected.
+// Errors in input files: all of them, each with its place and with what was expected.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A number that tells whether two values are the same, for values that are put together from parts.
+// A hash of a value composed of parts, for comparisons.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace skein {
 
-/// FNV-1a over 64 bits. Every part is closed by its length or kind, so that "ab", "c" is not "a",
-/// "bc". It finds differences that happen, not those that somebody makes to deceive.
+/// FNV-1a over 64 bits. Every part includes its length or kind, so that "ab", "c" differs from "a",
+/// "bc". Not a cryptographic hash: it detects accidental differences only.
 class Fingerprint {
  public:
   Fingerprint& put(std::string_view text);
   Fingerprint& put(std::uint64_t number);
-  /// Numbers that compare equal are equal: -0 is 0.
+  /// Numbers that compare equal give the same fingerprint: -0 and 0, too.
   Fingerprint& put(double number);
   std::uint64_t value() const { return value_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts in a row, for people.
+// Concatenation of texts, for people.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What others wrote, as it may be shown on a terminal.
+// Foreign text, made safe for a terminal.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace skein {
 
-/// The text with U+FFFD for each control character but tab and newline (C0, DEL, and C1 in UTF-8):
-/// it cannot move the cursor, colour or rename a terminal. It has as many characters as before.
+/// The text with each control character except tab and newline (C0, DEL, and C1 in UTF-8) replaced
+/// by U+FFFD, so that it cannot control the terminal. The number of characters stays the same.
 inline std::string printable(std::string_view text) {
   constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
   std::string out;

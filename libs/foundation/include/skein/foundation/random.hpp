@@ -8,8 +8,8 @@
 
 namespace skein {
 
-/// std::mt19937_64 (whose sequence the standard fixes) with distributions of our own (whose
-/// sequences it does not). Whoever uses one is given its seed; there is no global generator.
+/// std::mt19937_64, whose sequence the C++ standard fixes, with own distributions, which the
+/// standard does not fix. Each user is given a seed; there is no global generator.
 /// Thread rule: not safe to share.
 class Random {
  public:

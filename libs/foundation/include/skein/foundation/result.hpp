@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outcomes are values.
+// The result type of functions that can fail.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace skein {
 
-/// An expected outcome or the facts of its failure. Policy: docs/decisions/0002-errors.md.
+/// The expected value, or the facts of the failure. Policy: docs/decisions/0002-errors.md.
 template <class T, class E>
 using Result = tl::expected<T, E>;
 

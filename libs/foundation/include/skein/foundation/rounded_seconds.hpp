@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times as people read them.
+// Rounded times as text for people.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace skein {
 
-/// "12.3 s": rounded to a tenth, without trailing zeros; "for ever" for the greatest.
+/// "12.3 s": rounded to a tenth, without trailing zeros; "for ever" for max().
 std::string in_seconds(MissionTime t);
 std::string in_seconds(Duration d);
 

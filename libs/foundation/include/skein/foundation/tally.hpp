@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What comes again and again is counted, and named the first, 10th, 100th, … time.
+// A counter for repeated messages: they are to be logged the first, 10th, 100th, … time.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,15 @@
 
 namespace skein {
 
-/// Counts by a key of kinds, of which it keeps so many: of further ones nothing is named. Cost: of
-/// a map.
+/// Counts occurrences by kind, for at most `most_kinds` kinds; further kinds are never logged.
+/// Cost: a map look-up.
 template <class Key>
 class Tally {
  public:
   explicit Tally(std::size_t most_kinds) : most_kinds_(most_kinds) {}
 
-  /// Once more. "" the first time, " (10 times)" the 10th and so on; absent: it is not named now.
+  /// Counts one occurrence. Returns a suffix for the log line: "" the first time, " (10 times)" the
+  /// 10th and so on; absent: not to be logged.
   std::optional<std::string> count(const Key& kind) {
     if (times_.size() >= most_kinds_ && !times_.contains(kind)) return std::nullopt;
     const std::uint64_t times = ++times_[kind];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Instants of a run as the rest of the world counts them.
+// Mission time as Unix time and as UTC text.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,15 @@
 
 namespace skein {
 
-/// Of "2005-05-19T09:00:00Z" [ns since 1970]; 0 of anything else, and of what lies after 2262.
+/// Parses "2005-05-19T09:00:00Z" [ns since 1970]; 0 for texts of another form, and for instants
+/// after 2262.
 std::uint64_t epoch_of(const std::string& iso);
 
-/// [ns since 1970]; nothing lies before it.
+/// The instant `at` of a mission whose epoch is `epoch` [ns since 1970], as [ns since 1970]; not
+/// below 0.
 std::uint64_t unix_time(std::uint64_t epoch, MissionTime at);
 
-/// "2005-05-19T09:00:01.250Z", with thousandths where there are some; what is finer is cut off.
+/// "2005-05-19T09:00:01.250Z": truncated to milliseconds, which are left out if they are 0.
 /// Precondition: before the year 2262.
 std::string utc_text(std::uint64_t nanoseconds);
 
