@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When which peer is to be looked at.
+// The due times of all peers.
 #pragma once
 
 #include <optional>
@@ -12,19 +12,19 @@
 
 namespace skein::blackboard {
 
-/// So that a step costs in proportion to the peers that something is due with, not to all.
+/// Orders peers by their due times, so that the cost of a step depends on the due peers only.
 class Agenda {
  public:
   template <class Key>
   using Order = std::set<std::pair<Key, NodeNumber>>;
-  /// In an order, if it is in it.
+  /// Position of a peer in an order; nothing if it is not in it.
   template <class Key>
   using Place = std::optional<typename Order<Key>::iterator>;
 
-  /// From `due` (steady) on, or after `expires` (mission time), whichever is first; instead of what
-  /// was said of the peer before.
+  /// The peer is due from `due` (steady) on, or after `expires` (mission time), whichever is first.
+  /// Replaces the previous call for the peer.
   void set(NodeNumber peer, std::optional<Duration> due, std::optional<MissionTime> expires);
-  /// In the order of their numbers. Cost: that of the answer.
+  /// The due peers in the order of their numbers. Cost: proportional to the result.
   std::vector<NodeNumber> due(Now now) const;
   std::optional<Duration> next_due() const;
   std::optional<MissionTime> next_expiry() const;

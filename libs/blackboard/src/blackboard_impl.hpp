@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands behind Blackboard.
+// Implementation of Blackboard.
 #pragma once
 
 #include <functional>
@@ -21,12 +21,12 @@
 
 namespace skein::blackboard {
 
-/// The instance of a heartbeat that goes past relays: it says nothing of the links it comes over.
+/// Instance of heartbeats that are sent over relays, which do not testify to a direct link.
 inline constexpr std::uint32_t kPastRelays = 1;
 
-/// The way of an arrival: decoded by the transport, lost or delayed as the channel's condition
-/// wants, checked, then by class: state and stream past Freshness, event into the session of its
-/// peer.
+/// Steps for an arrival: the transport decodes it; it is lost or delayed according to the channel's
+/// condition; it is checked; then states and streams pass Freshness, and events go into the session
+/// of their peer.
 class Blackboard::Impl {
  public:
   Impl(Config config, Transport& transport);
@@ -42,7 +42,7 @@ class Blackboard::Impl {
   std::optional<MissionTime> next_expiry() const;
   void recall_sent(wire::Sample sample, NodeNumber to, MissionTime at, SendOptions options);
   void recall_received(wire::Slot slot, const wire::SampleHeader& header);
-  /// Of a peer, and what it is due for after; strangers are disregarded.
+  /// Applies `change` to a peer and updates its due times. No effect for nodes that are no peers.
   void change(NodeNumber number, const std::function<void(Peer&)>& change);
   const Peer* peer(NodeNumber number) const;
   MissionTime latest_heard() const { return latest_heard_; }
@@ -70,27 +70,27 @@ class Blackboard::Impl {
   void write_due_events(Peer& peer, Now now);
   /// On a limited channel, as long as it is free.
   void write_in_turn(Peer& peer, Now now);
-  /// Something of its session came: it counts as handled from the next step on.
+  /// Notes that samples of the peer's session came, which count as handled from the next step on.
   void hear(Peer& peer);
   /// Something new came over that channel: whoever said it is there, if it was its own.
   void show_life(std::size_t channel, const wire::SampleHeader& header, Now now);
   /// What a heartbeat says of incarnations, its sender's and of this node.
   void compare_lives(Peer& peer, const wire::Heartbeat& heartbeat, Now now);
-  /// To the peer this node is of that incarnation: says everything again.
+  /// Takes this incarnation towards the peer and sends everything again.
   void become(Peer& peer, std::uint64_t incarnation, Now now);
   std::uint64_t incarnation_for(NodeNumber to) const;
 
-  // What goes past relays, where there are some (blackboard_relaying.cpp).
+  // Relaying (blackboard_relaying.cpp).
 
   bool is_relayed(NodeNumber to) const { return forwarding_ && forwarding_->is_relayed(to); }
-  /// Writes it on the channel to that peer, or lets it wait there for its turn.
+  /// Writes the sample on the channel to `hop`, or queues it if the channel's capacity is limited.
   void hand_to(Peer& hop, wire::Sample sample, Now now);
   void hand_all(std::vector<routing::Handed> handed, Now now);
   /// Precondition: there are relays.
   void send_on(NodeNumber to, wire::Sample sample, Now now);
   void send_past_relays(wire::Heartbeat heartbeat, Now now);
   void send_value(Peer& peer, wire::Sample sample, Now now);
-  /// Looks for better ways, and tells others what is new.
+  /// Updates the routes and reports changes of this node's links to other nodes.
   void route(Now now);
   void take_way(const routing::WayChange& change, Now now);
 
@@ -108,19 +108,19 @@ class Blackboard::Impl {
   Peers peers_;
   std::vector<Peer*> senders_;  ///< by channel; null where there is no peer
   Agenda agenda_;               ///< of the peers
-  std::vector<Peer*> heard_;    ///< since the last step began, some more than once
+  std::vector<Peer*> heard_;    ///< heard since the last step began; may contain duplicates
   std::optional<std::size_t> world_;
   std::uint64_t sequence_;  ///< of states, streams and world events
   Freshness freshness_;
   Delays delayed_;
-  Tally<DropKey> drops_{256};  ///< a peer that invents more kinds is logged no further
+  Tally<DropKey> drops_{256};  ///< bounds the log lines about malformed samples
   std::vector<Incoming> out_;
   MissionTime latest_heard_;
-  std::optional<routing::Forwarding> forwarding_;  ///< if there are relays
-  /// As last sent; if there are relays, or the incarnation is a guess. On the world channel: to
-  /// kEverybody.
+  std::optional<routing::Forwarding> forwarding_;  ///< present if there are relays
+  /// The last states sent; kept only if there are relays or the incarnation is a guess. Those of
+  /// the world channel have the destination kEverybody.
   std::map<OwnStateKey, wire::Sample> own_states_;
-  std::uint64_t incarnation_;  ///< on the world channel, the greatest of those told
+  std::uint64_t incarnation_;  ///< on the world channel: the greatest told to any peer
   std::set<NodeNumber> takers_for_older_;
 };
 

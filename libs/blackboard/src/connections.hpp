@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which channels the transport should have connected, and what it is given to write.
+// Connection of channels and writing of samples, with repetition of what the transport refuses.
 #pragma once
 
 #include <map>
@@ -13,8 +13,8 @@
 
 namespace skein::blackboard {
 
-/// Connects and disconnects channels, asks again where the transport refuses, and names each thing
-/// that it refuses once until it takes it. Thread rule: one thread.
+/// Connects and disconnects channels, retries what the transport refuses, and reports each refusal
+/// once (TransportRefused) until it succeeds. Thread rule: one thread.
 class Connections {
  public:
   /// `again`: steady time between two attempts.
@@ -22,13 +22,13 @@ class Connections {
       : transport_(transport), channels_(channels), again_(again) {}
 
   void set_up(std::size_t channel, bool up, Duration now, std::vector<Incoming>& out);
-  /// Asks again for what is due.
+  /// Retries the connections and disconnections that are due.
   void update(Duration now, std::vector<Incoming>& out);
   std::optional<Duration> next_due() const;
-  /// Writes; a state that the transport does not take is tried again by write_again().
+  /// Writes a sample. A state that the transport does not accept is kept for write_again().
   void write(std::size_t channel, const wire::Sample& sample, std::vector<Incoming>& out);
   void write_again();
-  /// The transport took a sample, or did not.
+  /// Notes whether the transport accepted a sample.
   void wrote(std::size_t channel, wire::Slot slot, bool taken, std::vector<Incoming>& out);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples that have arrived and are let in after the latency of their channel.
+// Queue of arrived samples that are delayed by the latency of their channel.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace skein::blackboard {
 
-/// In the order of their instants; on one channel nothing overtakes. Steady time.
+/// Ordered by due time (steady); samples of one channel keep their order.
 class Delays {
  public:
   struct Delayed {

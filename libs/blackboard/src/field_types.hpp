@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The types of the wire as data. What treats all slots alike (bytes, rules, text, layout) goes
-// through these tables instead of being compiled for each struct.
+// The wire types as data: encoding, checks, text and layout interpret these tables instead of being
+// compiled for each struct.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ enum class FieldKind : std::uint8_t {
   kSequence
 };
 
-/// What a field holds and how to reach it. Every pointer to a value is to one of that type.
+/// The type of a field and the access to its values. All void pointers are to values of this type.
 struct FieldType {
   FieldKind kind = FieldKind::kRecord;
   std::size_t size = 0;                     ///< [byte] in memory

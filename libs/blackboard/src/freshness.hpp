@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Newest wins.
+// Filter that rejects outdated states and streams.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace skein::blackboard {
 /// For each (origin, slot, instance) the newest sample seen, by incarnation then sequence.
 class Freshness {
  public:
-  /// Whether the sample is newer than all before it; then it is the newest.
+  /// Whether the sample is newer than all admitted before it; if so, it is recorded.
   bool admit(wire::Slot slot, const wire::SampleHeader& header) {
     const Version version{header.incarnation, header.sequence_number};
     const auto [entry, inserted] =

@@ -11,7 +11,7 @@
 
 namespace skein::blackboard {
 
-/// Puts the events of one peer in order and lets each through once.
+/// Puts the events of one peer in order and delivers each once.
 ///
 /// | from    | what comes                       | to                                              |
 /// |---------|----------------------------------|-------------------------------------------------|
@@ -20,14 +20,14 @@ namespace skein::blackboard {
 /// | waiting | event                            | waiting, event buffered                         |
 /// | waiting | heartbeat that has heard of us   | open, next = its events_from                    |
 /// | waiting | any other heartbeat              | waiting                                         |
-/// | open    | event next                       | open, it and its successors in the buffer go    |
+/// | open    | event next                       | open, it and buffered successors are delivered  |
 /// | open    | event after next                 | open, event buffered                            |
 /// | open    | event before next                | open (already handled)                          |
 /// | open    | heartbeat, events_from > next    | open, what lies between is lost                 |
 ///
-/// It waits because of what DDS does to who comes late: old events come again, and only the sender
-/// knows which of them an earlier incarnation of this node has handled. A heartbeat that does not
-/// name this incarnation may be older than that knowledge.
+/// The session waits because DDS gives old events again to readers that connect late, and only the
+/// sender knows which of them an earlier incarnation of this node has handled. A heartbeat that
+/// does not name this incarnation may have been sent before the sender knew of it.
 class IncomingEvents {
  public:
   IncomingEvents(NodeNumber self, std::uint64_t self_incarnation)
@@ -37,18 +37,18 @@ class IncomingEvents {
   /// Whether it had not been here before.
   bool on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event);
   void on_heartbeat(const wire::Heartbeat& heartbeat, std::vector<Incoming>& out);
-  /// Lets through what is next; expired events are reported instead.
+  /// Delivers the next events as far as there is no gap; expired ones are reported instead.
   void deliver(ChannelKind kind, MissionTime now, std::vector<Incoming>& out);
 
-  /// To the peer this node is of this incarnation from now on.
+  /// Towards the peer this node has this incarnation from now on.
   void become(std::uint64_t self_incarnation) { self_incarnation_ = self_incarnation; }
-  /// What was let through so far counts as handled from now on.
+  /// All delivered events count as handled from now on.
   void commit();
-  /// This one was handled in a life before this one.
+  /// The event was handled in a former life.
   void recall(const wire::SampleHeader& header);
-  /// For the heartbeat to the peer; 0 while waiting.
+  /// The acknowledged sequence number for the heartbeat to the peer; 0 while waiting.
   std::uint64_t ack_sequence() const { return open_ ? handled_ : 0; }
-  /// The peer would send less again if it were told now.
+  /// Whether an acknowledgement now would spare the peer repetitions.
   bool owes_acknowledgement() const { return owes_; }
   void acknowledged() { owes_ = false; }
 

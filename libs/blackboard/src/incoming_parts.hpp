@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The receiving half of what is too long to be said at once.
+// The receiving half of a session of long events, which are sent in parts.
 #pragma once
 
 #include <cstdint>
@@ -10,29 +10,29 @@
 
 namespace skein::blackboard {
 
-/// Puts the parts of long events of one peer together, and lets each event through once.
+/// Reassembles the long events of one peer and delivers each once.
 ///
 /// | from          | part                              | to                                |
 /// |---------------|-----------------------------------|-----------------------------------|
 /// | any           | of a greater incarnation          | nothing there, nothing handled    |
-/// | any           | of an event that was handled      | same; it is owed to say so        |
+/// | any           | of an event that was handled      | same; acknowledgement owed        |
 /// | any           | of a later event than that coming | that one, nothing of it there     |
-/// | n bytes there | that begins at n                  | more there; whole: the event goes |
-/// | n bytes there | any other                         | same; it is owed to say n         |
+/// | n bytes there | that begins at n                  | more there; if complete: delivery |
+/// | n bytes there | any other                         | same; acknowledgement of n owed   |
 class IncomingParts {
  public:
-  /// [byte] Nobody says more at once.
+  /// [byte] Greatest length of an event.
   static constexpr std::uint32_t kLongest = 16U << 20U;
 
-  /// The event when this is its last part, or what is wrong with it; not yet checked beyond its
-  /// decoding.
+  /// Returns the event if this is its last part (decoded, not checked otherwise), or why it cannot
+  /// be decoded.
   std::optional<std::variant<wire::Sample, Malformed>> take(const wire::Part& part);
-  /// What went through counts as handled from now on.
+  /// All delivered events count as handled from now on.
   void commit();
-  /// The event of this number was handled in a life before this one.
+  /// The event with this number was handled in a former life.
   void recall(std::uint64_t incarnation, std::uint64_t number);
 
-  /// What the peer is to be told.
+  /// Whether an acknowledgement is owed to the peer.
   bool owes() const { return owes_; }
   void told() { owes_ = false; }
   std::uint64_t ack_incarnation() const { return incarnation_; }
@@ -41,8 +41,8 @@ class IncomingParts {
 
  private:
   std::uint64_t incarnation_ = 0;  ///< of the peer
-  std::uint64_t number_ = 0;       ///< that is coming, or came last
-  std::uint64_t handled_ = 0;      ///< up to this one
+  std::uint64_t number_ = 0;       ///< of the event that is coming, or came last
+  std::uint64_t handled_ = 0;      ///< number of the last event handled
   std::uint32_t total_ = 0;
   std::uint32_t there_ = 0;
   std::vector<std::uint8_t> bytes_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A directed channel that cannot carry everything at once.
+// A directed channel of limited capacity.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@
 
 namespace skein::blackboard {
 
-/// Whose turn it is on a channel, and what waits for it. Heartbeats and events wait where they are
-/// made, so that what goes out is what holds then; states and streams wait here.
+/// Decides what is written next on a channel. States, streams and relayed samples wait here;
+/// heartbeats, events and parts wait in their sessions, so that they are up to date when written.
 class LimitedChannel {
  public:
   struct Turn {
@@ -40,35 +40,35 @@ class LimitedChannel {
   Duration airtime(std::size_t bytes) const { return schedule_.airtime(bytes); }
   Duration free_at() const { return schedule_.free_at(); }
 
-  /// A state or a stream.
+  /// Queues a state or a stream.
   void put(wire::Sample value) { shed_ += values_.put(std::move(value)) ? 1 : 0; }
   bool has_any() const { return !values_.empty() || !passing_.empty(); }
-  /// It takes no turns any more. Gives the last states, which are written at once: there late
-  /// comers find them; streams are of the past.
+  /// Ends the scheduling. Returns the waiting states, to be written at once, so that the transport
+  /// keeps them for late readers; waiting streams are dropped.
   std::vector<wire::Sample> let_go();
-  /// An event, or a heartbeat of another one, on its way to somebody else. Of too many the oldest
-  /// goes: who made it sends it again.
+  /// Queues a relayed event or heartbeat of another node. If there are too many, the oldest is
+  /// dropped; its author sends it again.
   void pass(wire::Sample sample);
   const wire::Sample* first_passing() const {
     return passing_.empty() ? nullptr : &passing_.front();
   }
   wire::Sample take_passing();
-  /// Values that a newer one took the place of before their turn came.
+  /// Number of values that were replaced by newer ones before they were written.
   std::uint64_t shed() const { return shed_; }
 
-  /// Bytes of what waits where it is made; 0: none waits.
+  /// Bytes of the first sample that waits in each session; 0: none waits.
   struct Waiting {
     std::size_t heartbeat = 0;
     std::size_t event = 0;  ///< the first one
     std::size_t part = 0;   ///< of a long event
   };
-  /// Whose turn it is now. None while something is under way or nothing waits.
+  /// What is to be written now; nothing while a sample is under way or none waits.
   std::optional<Turn> next(const Waiting& first, Duration now);
-  /// It is being written; gives when that ends.
+  /// Notes that it is written now. Returns when its transmission ends.
   Duration write(const Turn& turn, Duration now) {
     return schedule_.write(turn.flow, turn.bytes, now);
   }
-  /// The value whose turn it is; it waits no more.
+  /// Removes and returns the value whose turn it is.
   wire::Sample take(const Turn& turn);
 
  private:

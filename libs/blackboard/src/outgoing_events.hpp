@@ -10,14 +10,14 @@
 
 namespace skein::blackboard {
 
-/// Keeps every event until the peer has acknowledged it or it has expired, and says what to write
-/// when. At most kEventDepth events are under way at once, which is what any transport keeps; the
+/// Keeps every event until the peer has acknowledged it or it has expired, and decides what is
+/// written when. At most kEventDepth events are under way at once, which every transport keeps; the
 /// others wait for acknowledgements.
 ///
-/// What is not acknowledged is written again after a time-out that doubles with each writing, up to
-/// kMostBackOff times the first, and starts anew when the peer is heard again or acknowledges
-/// anything. Only the kAgainAtOnce oldest are: acknowledgements are cumulative, so they may turn
-/// out to be all that is missing.
+/// An unacknowledged event is written again after a time-out that doubles with each repetition, up
+/// to kMostBackOff times the first, and is reset when the peer is heard again or acknowledges
+/// anything. Only the kAgainAtOnce oldest events are repeated: acknowledgements are cumulative, so
+/// these may be all that is missing.
 ///
 /// An expired event leaves at once if it is the oldest. Behind an older one that still waits, it
 /// stays as a tombstone, expired long ago, so that the peer sees no gap it would have to wait for.
@@ -31,43 +31,43 @@ class OutgoingEvents {
 
   bool full() const { return held_.size() >= capacity_; }
   std::size_t size() const { return held_.size(); }
-  /// Of the next event to be held.
+  /// The sequence number of the next event to be held.
   std::uint64_t next_sequence() const { return next_; }
   /// The oldest event held, or the next if none is.
   std::uint64_t oldest() const { return next_ - held_.size(); }
 
   /// The header of `event` must carry next_sequence(). `receipt`: see SendOptions.
   void hold(wire::Sample event, std::uint64_t receipt = 0);
-  /// Likewise, of a life before this one: there was room for it then.
+  /// The same for an event of a former life, whatever the capacity.
   void recall(wire::Sample event, std::uint64_t receipt = 0);
-  /// Of a life before this one: reported as expired then.
+  /// The event was reported as expired in a former life.
   void give_up(std::uint64_t sequence);
-  /// Everything up to and including this one was handled; nonsense is ignored. Gives the receipts
-  /// asked for, in the order sent.
+  /// Everything up to and including `sequence` was handled by the peer; impossible numbers are
+  /// ignored. Returns the receipt numbers of the acknowledged events, in the order sent.
   std::vector<std::uint64_t> acknowledge(std::uint64_t sequence);
-  /// The peer has come back or started anew: everything is to be written again.
+  /// The peer is reachable again or has restarted: all events are to be written again.
   void resend();
-  /// From now on this node has this incarnation for the peer, which has taken nothing from it
-  /// before: everything that is held is of it, and to be written again.
+  /// Towards the peer this node has this incarnation from now on, of which the peer has received
+  /// nothing: all events held get it, and are to be written again.
   void become(std::uint64_t incarnation);
-  /// Gives up what has expired by now.
+  /// Gives up the expired events and returns them.
   std::vector<EventExpired> expire(MissionTime now);
 
-  /// Whether the peer is heard, from now on.
+  /// Sets whether the peer is heard.
   void set_contact(bool contact) { contact_ = contact; }
 
-  /// What is to be written now, oldest first; counts as written. `round_trip` is what the channel
-  /// itself adds before an acknowledgement can be here. Valid until the next call of anything.
+  /// The events to be written now, oldest first; they count as written. `round_trip`: time that the
+  /// channel itself adds until an acknowledgement can arrive. Valid until the next call.
   std::vector<const wire::Sample*> take_due(Now now, Duration round_trip);
-  /// The last instant of the event that expires first; after it expire() has something to tell.
+  /// The earliest expiry of the events held; after it expire() returns something.
   std::optional<MissionTime> first_expiry() const;
   /// Steady time of the next take_due() that gives something.
   std::optional<Duration> next_due(Duration round_trip) const;
 
-  /// For a channel that takes one after the other: the one of take_due() that is to be written now.
-  /// What was never written and what is to be written again take turns. Valid as above.
+  /// For a channel of limited capacity: the event to be written next. New events and repetitions
+  /// take turns. Valid until the next call.
   const wire::Sample* first_due(Now now, Duration round_trip) const;
-  /// It is being written, until this steady time.
+  /// The transmission of the event ends at this steady time.
   void written(const wire::Sample& event, Duration until);
 
  private:
@@ -83,13 +83,13 @@ class OutgoingEvents {
   void drop_first(std::size_t count);
   void write(Held& event, Duration at);
   bool is_due(std::size_t index, Now now, Duration round_trip) const;
-  /// When the event, which was written, is to be written again; none: not before others are gone.
+  /// When the event, which was written, is to be repeated; none: not before older ones are gone.
   std::optional<Duration> again_at(std::size_t index, Duration round_trip) const;
   std::size_t under_way() const { return std::min(held_.size(), kEventDepth); }
 
   std::size_t capacity_;
   Duration retransmission_;
-  std::vector<Held> held_;  ///< mostly none: it takes nothing then
+  std::vector<Held> held_;  ///< mostly empty (a vector, which then takes no heap memory)
   std::uint64_t next_ = 1;
   bool turn_of_old_ = false;
   bool contact_ = false;

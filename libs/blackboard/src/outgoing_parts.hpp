@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sending half of what is too long to be said at once.
+// The sending half of a session of long events, which are sent in parts.
 #pragma once
 
 #include <cstdint>
@@ -10,44 +10,44 @@
 
 namespace skein::blackboard {
 
-/// Long events for one peer, in parts, one event after the other. At most kPartsUnderWay parts are
-/// under way beyond what the peer says it has; when it says nothing new for a time-out, or has less
-/// than it had (it was restarted), they are written again from there. Whatever it has forgotten, it
-/// tells; so a cut, a lost part and a restart are all one to the sender.
+/// Sends long events to one peer in parts, one event after the other. At most kPartsUnderWay parts
+/// are under way beyond the bytes that the peer has acknowledged. After a time-out without a new
+/// acknowledgement, or if the peer acknowledges less than before (it has restarted), the parts are
+/// written again from the acknowledged byte on. So the sender treats cuts, lost parts and restarts
+/// in the same way.
 class OutgoingParts {
  public:
   static constexpr std::uint32_t kPartsUnderWay = 16;
   static constexpr std::size_t kMostHeld = 256;
-  static constexpr std::size_t kMostBytes = 16U << 20U;  ///< beyond which no other one is held
+  static constexpr std::size_t kMostBytes = 16U << 20U;  ///< of held events; then full() is true
 
   explicit OutgoingParts(Duration retransmission) : retransmission_(retransmission) {}
 
   bool full() const { return held_.size() >= kMostHeld || bytes_ >= kMostBytes; }
   bool empty() const { return held_.empty(); }
   std::size_t size() const { return held_.size(); }
-  /// Of the next one: kFirstLongEvent and up.
+  /// The number of the next long event, from kFirstLongEvent on.
   std::uint64_t next_number() const { return next_; }
-  /// Its header must carry next_number().
+  /// The header of `event` must carry next_number().
   void hold(const wire::Sample& event, std::uint64_t receipt);
-  /// Of a life before this one: reported as expired then.
+  /// The event was reported as expired in a former life.
   void give_up(std::uint64_t number);
-  /// What the peer says it has: all before `number`, since nothing is begun before the one in front
-  /// of it is over, and so many bytes of that. Gives the receipts of what it has handled, in order,
-  /// where one was asked for.
+  /// The peer has acknowledged all events before `number`, and this many bytes of event `number`.
+  /// Returns the receipt numbers of the events that it has handled, in order.
   std::vector<std::uint64_t> heard(std::uint64_t number, std::uint32_t bytes);
-  /// In a life before this one the peer had all up to this one.
+  /// In a former life the peer had acknowledged all events up to this number.
   void recall_acknowledged(std::uint64_t number);
-  /// The last before the first that is held: all up to it are acknowledged or given up.
+  /// The number up to which all events are acknowledged or given up.
   std::uint64_t settled() const;
-  /// The peer has come back, or knows this node by another incarnation.
+  /// The peer is reachable again, or knows this node by another incarnation.
   void resend() { next_byte_ = acked_; }
   void become(std::uint64_t incarnation);
   std::vector<EventExpired> expire(MissionTime now);
   void set_contact(bool contact) { contact_ = contact; }
 
-  /// Content, but for the header, of the part that is to be written now.
+  /// The part that is to be written now, without header.
   std::optional<wire::Part> next(Duration now, std::uint32_t most_bytes, Duration round_trip) const;
-  /// It was written; until then.
+  /// The part was written; its transmission ends at `until` (steady).
   void written(const wire::Part& part, Duration until);
   std::optional<MissionTime> first_expiry() const;
   /// Steady; when next() has something.
@@ -66,8 +66,8 @@ class OutgoingParts {
   bool window_is_open(std::uint32_t most_bytes) const;
 
   Duration retransmission_;
-  std::vector<Held> held_;  ///< mostly none: it takes nothing then
-  std::size_t bytes_ = 0;   ///< of all that are held
+  std::vector<Held> held_;  ///< mostly empty (a vector, which then takes no heap memory)
+  std::size_t bytes_ = 0;   ///< of all events held
   std::uint64_t next_ = kFirstLongEvent;
   std::uint32_t acked_ = 0, next_byte_ = 0;  ///< of the first
   Duration last_written_;

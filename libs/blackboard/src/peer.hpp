@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything one blackboard knows of one other node it has a channel with.
+// The state of a blackboard towards one peer.
 #pragma once
 
 #include <cstdint>
@@ -27,13 +27,13 @@ struct PeerChannels {
   std::size_t incoming = 0;
 };
 
-/// Reachability and both halves of the event session. Writes nothing itself: it says what is due.
+/// Reachability and both halves of the event session. Writes nothing itself: decides what is due.
 ///
 /// A heartbeat goes out each period, and at once when the channel comes up or a peer (or a new
-/// incarnation of it) is first heard, so that its session opens without waiting; soon after events
-/// came in, as their acknowledgement. It says which incarnation of the peer is heard; none as long
-/// as the peer is silent, so that both learn of a link that carries in one direction only. Source:
-/// spec 1.3 (reachability, class event).
+/// incarnation of it) is first heard, so that its session opens without delay; and soon after
+/// events have arrived, as their acknowledgement. A heartbeat names the incarnation of the peer
+/// that is heard, or none while the peer is silent, so that both notice a link that works in one
+/// direction only. Source: spec 1.3 (reachability, class event).
 class Peer {
  public:
   /// The configuration outlives the peer.
@@ -41,25 +41,25 @@ class Peer {
 
   const PeerChannels& channels() const { return channels_; }
   bool reachable() const { return reachable_; }
-  /// Of the peer, the greatest heard; 0: none.
+  /// The greatest incarnation of the peer that was heard; 0: none.
   std::uint64_t incarnation() const { return incarnation_; }
-  /// Of this node, as it tells the peer.
+  /// The incarnation of this node towards the peer.
   std::uint64_t self_incarnation() const { return self_incarnation_; }
-  /// By the peer, at some time of this life.
+  /// Whether the peer has heard this node at some time of this life.
   bool was_heard() const { return was_heard_; }
-  /// To the peer, which never heard it, this node is of this incarnation from now on.
+  /// Towards the peer, which never heard this node, it has this incarnation from now on.
   void become(std::uint64_t incarnation, Duration now);
-  /// A heartbeat of an incarnation that is not the latest one: while the peer is silent otherwise
-  /// it is told so, since it may be a new life that does not know. True: the two were heard by
-  /// turns, time and again, so both live.
+  /// A heartbeat of an older incarnation of the peer arrived. While the latest one is silent, the
+  /// sender is told of it, since it may be a new life with too small a number. True: both were
+  /// repeatedly heard by turns, so both are alive.
   bool on_old_heartbeat();
   const OutgoingEvents& outgoing() const { return outgoing_; }
   const OutgoingParts& outgoing_parts() const { return parts_out_; }
-  /// Whether the event goes in parts; the same in every life.
+  /// Whether the event is sent in parts; the same in every life.
   bool is_long(const wire::Sample& event) const;
-  /// To hold the event until it is acknowledged.
+  /// Whether there is room to hold the event until it is acknowledged.
   bool has_room_for(const wire::Sample& event) const;
-  /// That the header of the event must carry when it is held next.
+  /// The sequence number that the header of the event must carry for hold().
   std::uint64_t next_number(const wire::Sample& event) const;
   void hold(wire::Sample event, std::uint64_t receipt);
   const ChannelCondition& outgoing_condition() const { return out_condition_; }
@@ -67,11 +67,11 @@ class Peer {
 
   void set_outgoing(const ChannelCondition& condition, Now now);
   void set_incoming(const ChannelCondition& condition) { in_condition_ = condition; }
-  /// Null: the channel to the peer carries everything at once.
+  /// The scheduler of the channel to the peer; null if its capacity is unlimited.
   LimitedChannel* limited() { return limited_.get(); }
   const LimitedChannel* limited() const { return limited_.get(); }
-  /// What is sent to it goes past so many relays (0: directly); `heard_of`: there is a way from it
-  /// past relays. All events are written again if `anew`.
+  /// The route to the peer has this many relays (0: direct). `heard_of`: relays connect the peer to
+  /// this node. `anew`: all events are written again.
   void set_way(std::size_t relays, bool heard_of, bool anew, Now now);
 
   /// Whether it had not been here before.
@@ -91,19 +91,19 @@ class Peer {
     return true;
   }
   void on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out);
-  /// A part of a long event of the peer, or what it has of one of this node. Gives the event that
-  /// is whole now, or what is wrong with it.
+  /// A part of a long event of the peer arrived, or an acknowledgement of own parts. Returns the
+  /// event that is complete now, or why it cannot be decoded.
   std::optional<std::variant<wire::Sample, Malformed>> on_part(const wire::Part& part, Now now,
                                                                std::vector<Incoming>& out);
-  /// What was let through before counts as handled.
+  /// All delivered events count as handled.
   void commit() {
     incoming_.commit();
     parts_in_.commit();
   }
-  /// Finds what has run out: contact with the peer, events.
+  /// Detects the loss of contact and the expiry of events.
   void update(Now now, std::vector<Incoming>& out);
 
-  // Of a life before this one; see Blackboard.
+  // Restoration from former lives; see Blackboard.
   void recall_sent(wire::Sample event, std::uint64_t receipt);
   void recall_acknowledged(std::uint64_t number);
   void recall_given_up(std::uint64_t number);
@@ -112,35 +112,35 @@ class Peer {
 
   std::vector<const wire::Sample*> take_due_events(Now now);
   bool heartbeat_due(Duration steady) const;
-  /// The next heartbeat, but for its header; counts as sent.
+  /// The next heartbeat, without header; counts as sent.
   wire::Heartbeat take_heartbeat(Duration steady);
-  /// What is to be written now on a limited channel, one after the other; counts as written. A
-  /// heartbeat and a part are without their headers.
+  /// The next sample to be written on a channel of limited capacity; counts as written. Heartbeats
+  /// and parts are without headers.
   std::optional<wire::Sample> take_next(Now now);
-  /// A part, without its header, that is to be written now where there is no such channel; counts
-  /// as written.
+  /// The next part, without header, to be written on a channel of unlimited capacity; counts as
+  /// written.
   std::optional<wire::Part> take_part(Now now);
-  /// The last instant of the event that is held and expires first.
+  /// The earliest expiry of the events held.
   std::optional<MissionTime> first_expiry() const {
     return recalled_ ? std::nullopt : earliest(outgoing_.first_expiry(), parts_out_.first_expiry());
   }
-  /// Steady; none if nothing will be due by itself.
+  /// Steady time when something is next due; none if only arrivals can change that.
   std::optional<Duration> next_wakeup() const;
 
  private:
-  /// What channels and acknowledgements take, beyond a time-out for everything else.
+  /// Delay of channels and acknowledgements, to be added to time-outs.
   Duration round_trip() const;
   Duration acknowledgement_delay() const;
   void owe_acknowledgement(Duration now);
-  /// Of content, or what is there of the peer's.
+  /// The part to be written now: content of an own event, or an acknowledgement of the peer's.
   std::optional<wire::Part> due_part(Now now) const;
   void part_written(const wire::Part& part, Duration until);
   std::uint32_t bytes_of_a_part() const;
-  /// Parts are for those with whom there is contact both ways.
+  /// Parts are sent only while there is contact in both directions.
   bool sends_parts() const { return can_send() && reachable_ && is_heard_ && !recalled_; }
   void limit(double capacity, Duration now);
   Duration silence_limit() const;
-  /// As far as is known here.
+  /// Whether samples can reach the peer, as far as is known here.
   bool can_send() const { return relays_ > 0 || out_condition_.up; }
 
   PeerChannels channels_;
@@ -158,12 +158,12 @@ class Peer {
   bool heard_of_ = false;
   bool turn_of_passing_ = false;
   bool reachable_ = false;
-  bool is_heard_ = false;          ///< by the peer, as it said last
-  bool was_heard_ = false;         ///< at some time of this life
-  bool heard_old_ = false;         ///< since the last heartbeat to it
-  bool heard_latest_ = false;      ///< of its latest life since one of an older
-  int rival_turns_ = 0;            ///< from the latest to an older one
-  bool recalled_ = false;          ///< nothing was heard of it since this life began
+  bool is_heard_ = false;          ///< the peer hears this node, by its last heartbeat
+  bool was_heard_ = false;         ///< the peer heard this node at some time of this life
+  bool heard_old_ = false;         ///< an older incarnation since the last heartbeat to the peer
+  bool heard_latest_ = false;      ///< the latest incarnation since the last of an older one
+  int rival_turns_ = 0;            ///< changes from the latest incarnation to an older one
+  bool recalled_ = false;          ///< the peer was not heard yet since this life began
   std::uint64_t incarnation_ = 0;  ///< of the peer; 0: never heard
   std::pair<std::uint64_t, std::uint64_t> newest_heartbeat_;
   Duration last_heard_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// scenarios/slots.yaml, as it was when this was built.
+// The text of scenarios/slots.yaml at build time.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// States and streams that wait for their turn on a channel.
+// Queue of states and streams for a channel of limited capacity.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,18 @@
 
 namespace skein::blackboard {
 
-/// Of each (slot, instance) the newest value, and nothing older: what is shed is always what an
-/// update has made useless. Within a slot the one that waits longest goes first; a newer value
-/// takes the place of the older in that order. Memory: one value for each (slot, instance).
+/// Keeps only the newest value of each (slot, instance): a value is dropped only when a newer one
+/// replaces it. Within a slot the longest waiting instance goes first; a newer value takes the
+/// position of the one that it replaces. Memory: one value for each (slot, instance).
 class WaitingValues {
  public:
-  /// Gives true if an older value was shed for it.
+  /// True if `value` replaced an older one.
   bool put(wire::Sample value);
   bool empty() const { return values_.empty(); }
-  /// The next of a slot; null if none waits. Valid until the next call of anything else.
+  /// The next value of a slot; null if none waits. Valid until the next call of another function.
   const wire::Sample* first(wire::Slot slot) const;
   void drop_first(wire::Slot slot);
-  /// All of a class, in the order of slots, oldest first; they wait no more.
+  /// Removes and returns all values of a class, in the order of slots, oldest first.
   std::vector<wire::Sample> take(wire::SlotClass which);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where samples go next, past relays or not: those of this node, and those that it passes on.
+// Forwarding: the next hop of this node's own samples and of those that it relays.
 #pragma once
 
 #include <map>
@@ -12,60 +12,61 @@
 
 namespace skein::blackboard::routing {
 
-/// What is to be written on the channel to that node.
+/// A sample to be written on the channel to the node `hop`.
 struct Handed {
   NodeNumber hop;
   wire::Sample sample;
 };
 
-/// How the way to a peer is used from now on.
+/// The route to a peer from now on.
 struct TakenWay {
-  std::size_t relays = 0;            ///< 0: directly
-  bool is_other = false;             ///< what is under way on the one before may be lost
-  std::optional<RouteChanged> news;  ///< if others are to be told
+  std::size_t relays = 0;            ///< number of relays; 0: direct
+  bool is_other = false;             ///< differs from the former one, where samples may be lost
+  std::optional<RouteChanged> news;  ///< present if the change is to be reported
 };
 
-/// What a node does where there are relays in its team. It writes nothing: it says what is to be
-/// written where, and its owner does, in that order. A sample is handed to nobody whom it has
-/// passed, so it crosses no channel twice and cannot circle, whatever nodes believe of their links;
-/// reports of links alone go to several. Source: spec 1.3 (relaying), docs/decisions/0024. Thread
-/// rule: one thread.
+/// The relaying of one node, present if its system has relays. Writes nothing itself: its owner
+/// writes the returned samples, in their order. A sample is never handed to a node that it has
+/// visited, so it crosses no channel twice and cannot circle, whatever nodes believe of their
+/// links. Only link reports (wire::Neighbours) are handed to several nodes. Source: spec 1.3
+/// (relaying), docs/decisions/0024. Thread rule: one thread.
 class Forwarding {
  public:
-  /// The configuration outlives it, and names relays.
+  /// The configuration must outlive this object. Precondition: it names relays.
   explicit Forwarding(const Config& config);
 
   bool is_relayed(NodeNumber to) const { return router_.is_relayed(to); }
-  /// To whom what is for a node goes next; none: there is no channel for it.
+  /// The next hop for a sample of this slot to `to`; none: there is no channel for it.
   std::optional<NodeNumber> hop_to(NodeNumber to, wire::Slot slot) const;
 
-  /// A heartbeat that came from its sender over radio.
+  /// A heartbeat arrived directly from its sender over radio.
   void on_heartbeat(NodeNumber from, Duration steady) { router_.on_heartbeat(from, steady); }
   /// Anything else that did, and was new.
   void on_sign_of_life(NodeNumber from, Duration steady) { router_.on_sign_of_life(from, steady); }
   /// Of others, for another, that came over that channel. Nothing: it ends here.
   std::optional<Handed> pass_on(const ChannelConfig& from, wire::Sample sample);
-  /// To whom else a report of another's links is to be told.
+  /// Learns another node's link report, and returns it for the nodes that it is to be flooded to.
   std::vector<Handed> learn(wire::Neighbours report);
 
-  /// Looks for better ways: each change is to be taken, and the states sent, in this order.
+  /// Recomputes the routes. For each change take() is to be called, and then states_for() to be
+  /// written, in this order.
   std::vector<WayChange> update(Duration steady) { return router_.update(steady); }
   TakenWay take(const WayChange& change);
-  /// That others said to that peer, which may have missed them on the way before.
+  /// The relayed states for that peer, which it may have missed on the former route.
   std::vector<Handed> states_for(const WayChange& change) const;
-  /// For those heard anew: what they passed on themselves, and may have forgotten; the rest the
-  /// channel has kept for them.
+  /// For nodes that are newly heard: the link reports that they had passed on and may have
+  /// forgotten. The channel's transport keeps everything else for them.
   std::vector<Handed> take_reminders();
-  /// Of this node's links, if they are new to others; without a header.
+  /// The report of this node's links, without header; nothing if it has not changed.
   std::optional<wire::Neighbours> take_report() { return router_.take_report(); }
-  /// To every radio peer that it has not passed and does not come from.
+  /// The report for every radio peer that it has not visited and does not come from.
   std::vector<Handed> flood(const wire::Neighbours& report) const;
   /// Steady.
   std::optional<Duration> next_wakeup() const { return router_.next_wakeup(); }
 
  private:
   const Config& config_;
-  std::map<NodeNumber, const ChannelConfig*> channels_;  ///< by whom they go to
+  std::map<NodeNumber, const ChannelConfig*> channels_;  ///< by receiver
   Router router_;
   PassedOn passed_on_;
   std::map<NodeNumber, wire::Neighbours> reports_;  ///< by author, as passed on

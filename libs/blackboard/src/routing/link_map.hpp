@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The links of all nodes, and the ways over them.
+// The links between all nodes, and the shortest routes over them.
 #pragma once
 
 #include <compare>
@@ -12,46 +12,48 @@
 
 namespace skein::blackboard::routing {
 
-/// How samples go to a node: first to `next`, past so many relays altogether.
+/// A route to a node: its first hop, and the number of relays on it.
 struct Way {
   NodeNumber next;
   std::size_t relays = 0;
   bool operator==(const Way&) const = default;
 };
 
-/// What everybody says of whom he hears, and shortest ways over it. Links have a direction.
+/// The link reports of all nodes (which nodes each one hears), and shortest routes over these
+/// directed links.
 ///
-/// A report counts only while there is a way from its author to here on which it could have come:
-/// what somebody out of reach said last may be long past. So a node that dies or leaves takes its
-/// links along as soon as those who heard it say so, and nothing has to be repeated or to run out.
-/// Reports come past relays only, as all else. Nobody can use a link out of him that he has not
-/// been told of, so one counts only if what its end says can come back to its beginning. Then
-/// whoever is on the best way to a node knows the rest of it, and ways get shorter at each step: no
-/// loops once reports have come. Cost of ways(): links times the logarithm of nodes.
+/// A report counts only while there is a route from its author to this node on which it could have
+/// come: the last report of a node out of reach may be outdated. So the links of a node that dies
+/// or leaves disappear as soon as its neighbours report its loss, and reports need neither
+/// repetition nor expiry. Reports come over relays only, like all other samples. A node cannot use
+/// a link out of it that it has not been told of, so a link counts only if the report of its end
+/// can reach its beginning. Then every node on the best route knows the rest of it, and routes get
+/// shorter at each hop: there are no loops once the reports have arrived. Cost of ways(): links
+/// times the logarithm of nodes.
 class LinkMap {
  public:
-  /// `relays`: who passes on what is not for him.
+  /// `relays`: the nodes that forward samples of other nodes.
   LinkMap(NodeNumber self, std::set<NodeNumber> relays) : self_(self), relays_(std::move(relays)) {}
 
-  /// Instead of what it said before; of this node itself too.
+  /// Replaces the report of `author`, which may be this node.
   void learn(NodeNumber author, const std::vector<wire::Neighbour>& hears);
 
-  /// The best way to each node that there is one to: few links, and rather steady ones; of equal
-  /// ones that which begins as in `before`, else with the smallest number.
+  /// The best route to each reachable node: with few links, preferably steady ones; of equal routes
+  /// the one with the first hop of `before`, otherwise with the smallest first hop.
   std::map<NodeNumber, Way> ways(const std::map<NodeNumber, Way>& before = {}) const;
-  /// From whom there is a way to here past a relay at least.
+  /// The nodes from which there is a route to this node over at least one relay.
   std::set<NodeNumber> heard_of() const;
 
  private:
   using Hears = std::map<NodeNumber, bool>;  ///< steady
-  /// Who hears a node directly, as far as is credible here: by node, then by who hears it.
+  /// Credible links: by the node that is heard, then by the node that hears it.
   using Links = std::map<NodeNumber, Hears>;
-  /// Of the author, if there is any.
+  /// The report of the author, or null.
   const Hears* report(NodeNumber author) const;
   bool hears(NodeNumber author, NodeNumber node) const;
-  /// From whom there is any way to `at`: whose reports it has.
+  /// The nodes with a route to `at`, whose reports it therefore has.
   std::set<NodeNumber> known_to(NodeNumber at) const;
-  /// Links that the node at their beginning knows of, too: it would not use others.
+  /// The links that the node at their beginning knows of; it would not use others.
   Links links() const;
 
   NodeNumber self_;

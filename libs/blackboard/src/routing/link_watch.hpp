@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whom a node hears without anybody in between.
+// The direct links into a node.
 #pragma once
 
 #include <map>
@@ -20,17 +20,17 @@ class LinkWatch {
 
   explicit LinkWatch(Duration period) : silence_(period + period + period) {}
 
-  /// Whether that changes what heard() says.
+  /// True if heard() changes.
   bool on_heartbeat(NodeNumber peer, Duration steady);
   /// Anything else that came over the link, as long as it is there.
   void on_sign_of_life(NodeNumber peer, Duration steady);
   /// Finds who has fallen silent; whether there is any.
   bool update(Duration steady);
-  /// Steady; when update() finds something if nothing more is heard.
+  /// Steady time at which update() detects a silent peer if no heartbeat comes before.
   std::optional<Duration> next_silence() const;
 
   bool hears(NodeNumber peer) const;
-  /// By number.
+  /// The peers whose links are up, by number.
   std::vector<wire::Neighbour> heard() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a relay remembers of what it passes on.
+// The memory of a relay about the samples that it forwards.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,19 @@
 
 namespace skein::blackboard::routing {
 
-/// Decides what is worth passing on, and keeps the last states for destinations that cannot be
-/// reached at the moment. It promises nothing for events: their sender has them until the receiver
-/// acknowledges, so a relay may die or restart at any time. What it refuses:
-/// - a state or stream that is not newer than what went before it (DDS gives old ones again);
-/// - an event that its sender is known to hold no more (a transport gives a whole history again
-///   after each reconnection): heartbeats that come past say what it still holds.
+/// Decides which samples are forwarded, and keeps the last states for destinations that cannot be
+/// reached at the moment. Events are not kept: their sender holds them until the receiver
+/// acknowledges, so a relay may die or restart at any time. Not forwarded are:
+/// - a state or stream that is not newer than the one before (DDS gives old ones again);
+/// - an event that its sender does not hold any more, according to the heartbeats that were
+///   forwarded (a transport gives its whole history again after each reconnection).
 class PassedOn {
  public:
-  /// Whether this sample is to go on; then it counts as gone.
+  /// Whether this sample is to be forwarded; if so, it counts as forwarded.
   bool admit(const wire::Sample& sample);
-  /// A state, as it is to be written.
+  /// Keeps a state as it is forwarded.
   void keep(const wire::Sample& state);
-  /// For one destination, in an order that follows from the states alone.
+  /// The states for one destination, in an order that depends on the states only.
   std::vector<wire::Sample> states_for(NodeNumber destination) const;
 
  private:

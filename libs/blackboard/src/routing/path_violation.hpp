@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which ways samples may have come.
+// Check of the path that a sample has taken.
 #pragma once
 
 #include <map>
@@ -10,18 +10,18 @@
 
 namespace skein::blackboard::routing {
 
-/// What ways are judged by.
+/// What the check depends on.
 struct PathRules {
   const Config& config;
   const Peers& peers;
-  bool relays = false;  ///< there are some in the team
+  bool relays = false;  ///< whether the system has relays
 };
 
-/// Why a sample may not have come over that radio channel; nothing: it may.
+/// Why a sample with this header cannot have come over this radio channel; nothing if it can.
 std::optional<wire::Violation> path_violation(const PathRules& rules, const ChannelConfig& channel,
                                               wire::Slot slot, const wire::SampleHeader& header);
 
-/// It passed that node.
+/// Whether the sample was relayed by that node.
 bool has_passed(const wire::SampleHeader& header, NodeNumber node);
 
 }  // namespace skein::blackboard::routing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way the samples of a node go.
+// The routes of a node's samples.
 #pragma once
 
 #include <map>
@@ -13,41 +13,41 @@
 
 namespace skein::blackboard::routing {
 
-/// What is new about the way to a peer. Without a way samples go to it directly, as they do where
-/// there are no relays: it may hear.
+/// A change of the route to a peer. Without a route samples are sent to the peer directly, as in a
+/// system without relays, since it may hear them.
 struct WayChange {
   NodeNumber peer;
   std::optional<Way> way;
-  bool heard_of = false;  ///< there is a way from it past a relay
+  bool heard_of = false;  ///< there is a route from the peer to this node over a relay
 };
 
-/// Link-state routing: every node tells all others whom it hears (wire::Neighbours, which relays
-/// pass on), and reckons its ways from that. Nothing but heartbeats and these reports goes in.
+/// Link-state routing: every node reports to all others which nodes it hears (wire::Neighbours,
+/// flooded by relays), and computes its routes from these reports and from direct heartbeats.
 class Router {
  public:
   Router(NodeNumber self, const std::set<NodeNumber>& relays, Duration period)
       : self_(self), relays_(relays.contains(self)), watch_(period), map_(self, relays) {}
 
-  /// Whether this node passes on what is for others.
+  /// Whether this node is a relay.
   bool relays() const { return relays_; }
 
-  /// A heartbeat that nobody has passed on.
+  /// A heartbeat arrived directly, without relays.
   void on_heartbeat(NodeNumber peer, Duration steady);
   /// Anything else new that nobody has passed on.
   void on_sign_of_life(NodeNumber peer, Duration steady) { watch_.on_sign_of_life(peer, steady); }
   void on_report(const wire::Neighbours& report);
-  /// What has changed since the last call.
+  /// The route changes since the last call.
   std::vector<WayChange> update(Duration steady);
-  /// Whom it has begun to hear, or again, since the last call.
+  /// The nodes that are newly, or again, heard directly since the last call.
   std::vector<NodeNumber> take_new_links() { return std::exchange(new_links_, {}); }
-  /// What this node has to tell all others, if that is new.
+  /// The report of this node's links for all others; nothing if it has not changed.
   std::optional<wire::Neighbours> take_report();
-  /// Steady; when update() is due even if nothing is heard.
+  /// Steady time at which update() is due even if nothing is heard.
   std::optional<Duration> next_wakeup() const { return watch_.next_silence(); }
 
-  /// To whom to give what is for this node.
+  /// The first hop on the route to `to`; `to` itself if there is no route.
   NodeNumber next_hop(NodeNumber to) const;
-  /// Whether it makes sense to send to it now.
+  /// Whether there is a route to `to`, or `to` is heard directly.
   bool reaches(NodeNumber to) const { return ways_.contains(to) || watch_.hears(to); }
   bool is_relayed(NodeNumber to) const { return next_hop(to) != to; }
 
