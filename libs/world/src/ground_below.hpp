@@ -11,12 +11,12 @@
 
 namespace skein::world {
 
-/// What is under a column of voxels.
+/// The elevations of the ground under a column of voxels.
 struct Ground {
   double lowest, highest;  // [m]
 };
 
-/// Columns of voxels side by side: from x and y on.
+/// A rectangle of voxel columns, from column x and row y on.
 struct ColumnTile {
   std::int32_t x = 0, y = 0, columns = 0, rows = 0;
 
@@ -25,15 +25,15 @@ struct ColumnTile {
   }
 };
 
-/// Exact for the bilinear surface of a terrain, tile by tile, so that the memory it takes is not
-/// that of the whole grid. Grid and terrain must outlive it. Thread rule: one thread.
+/// Computes the ground under the columns of a grid, exactly for the bilinear surface of a terrain;
+/// tile by tile, to save memory. Grid and terrain must outlive it. Thread rule: one thread.
 class GroundBelow {
  public:
   /// The footprint of each column is grown by `margin` [m].
   GroundBelow(const AirspaceGrid& grid, const Terrain& terrain, double margin)
       : grid_(grid), terrain_(terrain), margin_(margin) {}
 
-  /// Of the columns of a tile, row by row; not whole once the clock is up.
+  /// The ground under the columns of a tile, row by row; incomplete once the clock is up.
   const std::vector<Ground>& of(const ColumnTile& tile, WorkClock& clock);
 
  private:

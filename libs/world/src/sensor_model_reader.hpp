@@ -9,7 +9,7 @@
 
 namespace skein::world {
 
-/// One entry of `sensors`; what is wrong is reported to the reader's diagnostics.
+/// Reads one entry of `sensors`; errors go to the reader's diagnostics.
 SensorModel read_sensor(const std::string& device, const config::Reader& reader);
 
 }  // namespace skein::world

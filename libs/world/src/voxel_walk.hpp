@@ -34,12 +34,12 @@ class WalkAxis {
   std::int32_t first() const { return first_; }
   std::int32_t last() const { return last_; }
   int direction() const { return step_ > 0 ? 1 : -1; }
-  /// Which fraction of the way lies before the far side of a voxel.
+  /// The fraction of the segment that lies before the far side of a voxel.
   double leaves(std::int32_t voxel) const {
     if (voxel == last_) return std::numeric_limits<double>::infinity();
     return (static_cast<double>(voxel + (step_ > 0 ? 1 : 0)) - from_) * per_voxel_;
   }
-  /// Length along the axis, as a figure of how exact a fraction is.
+  /// Length along the axis [voxels], for the tolerance of fractions.
   double extent() const { return std::abs(step_); }
   void take_side(std::int32_t voxel) { first_ = last_ = voxel; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When a clock is asked between pieces of long work.
+// Time limit of long work: decides when its clock is asked.
 #pragma once
 
 #include <cstddef>
@@ -7,14 +7,14 @@
 
 namespace skein::world {
 
-/// Work is told by about how long it takes, and the clock is asked once some milliseconds of it
-/// have come together: what takes less is done whatever the clock says. Once the time is up it
-/// stays so. The clock must outlive it; an empty one is never up. Thread rule: one thread.
+/// Sums up estimates of the work done, and asks the clock once per some milliseconds of work, so
+/// that shorter work is always completed. Once the time is up it stays so. The clock must outlive
+/// this object; an empty clock is never up. Thread rule: one thread.
 class WorkClock {
  public:
   explicit WorkClock(const std::function<bool()>& time_is_up) : time_is_up_(time_is_up) {}
 
-  /// After that much more work [ns].
+  /// Whether the time is up after this much more work [ns].
   bool is_up_after(std::size_t work) {
     constexpr std::size_t kEnough = 4'000'000;
     if (is_up_ || !time_is_up_) return is_up_;

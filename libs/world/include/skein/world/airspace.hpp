@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The air as voxels: where one may fly, and what crossing costs.
+// The airspace as voxels: free or blocked, with crossing costs.
 #pragma once
 
 #include <array>
@@ -39,17 +39,17 @@ struct AirspaceGrid {
 inline constexpr std::size_t kMostVoxels = std::size_t{1} << 29U;
 inline constexpr std::int32_t kMostVoxelsAlong = 1 << 20;
 
-/// Why no airspace can have that shape, in sentences; empty when one can.
+/// The problems of this shape, in sentences; empty if an airspace can have it.
 std::vector<std::string> problems_of(const AirspaceGrid& grid);
 
-/// What an airspace is made from beside its shape.
+/// The specification of an airspace over a terrain.
 struct AirspaceSpec {
   AirspaceGrid grid;
   double clearance = 0;    ///< least height of free air over the ground [m], >= 0
   double body_radius = 0;  ///< ground and volumes are grown by as much all around [m], >= 0
   /// Greatest height of the top of a voxel over the lowest ground below it [m].
   double ceiling = std::numeric_limits<double>::infinity();
-  TimeWindow when;  ///< only volumes whose window overlaps it are there
+  TimeWindow when;  ///< only volumes whose time window overlaps this one block voxels
 };
 
 /// Where a voxel stands in the grid: along east, north, up.
@@ -68,7 +68,7 @@ class WorkClock;
 /// Source: spec 4.1 (airspace), T IV.2.2.
 class Airspace {
  public:
-  /// Crossing costs are multiples of 1/16 from 1 to 15.9375; what is given is rounded to them.
+  /// Crossing costs are multiples of 1/16 from 1 to 15.9375; given costs are rounded to them.
   static constexpr double kCostStep = 1.0 / 16;
   static constexpr std::uint8_t kBlocked = 0;
   static constexpr std::uint8_t kPlain = 16;  ///< crossing cost 1
@@ -83,12 +83,12 @@ class Airspace {
   /// Over a terrain, without the volumes that do not hold in `spec.when`.
   /// Cost: O(columns + nodes of the terrain below + voxels).
   Airspace(const AirspaceSpec& spec, const Terrain& terrain, const std::vector<Volume>& volumes);
-  /// The same, unless a clock says before that the time is up: it is asked about every 4 ms of
-  /// work, so that what takes less is made whatever it says. Empty: it is never up.
+  /// The same with a time limit; nothing if the time is up before it is complete. The clock is
+  /// asked about every 4 ms of work, so that shorter work is always completed. Empty: no limit.
   static std::optional<Airspace> in_time(const AirspaceSpec& spec, const Terrain& terrain,
                                          const std::vector<Volume>& volumes,
                                          const std::function<bool()>& time_is_up);
-  /// A copy, or nothing when the time is up before, as above.
+  /// A copy; nothing if the time is up before it is complete, as for in_time().
   std::optional<Airspace> copied(const std::function<bool()>& time_is_up) const;
 
   const AirspaceGrid& grid() const { return grid_; }
@@ -96,11 +96,11 @@ class Airspace {
   bool is_free(std::int32_t x, std::int32_t y, std::int32_t z) const;
   bool is_free(const Voxel& voxel) const { return is_free(voxel[0], voxel[1], voxel[2]); }
   Vector3 centre(const Voxel& voxel) const;
-  /// As that of the grid.
+  /// As world::voxel_at() for this grid.
   std::optional<Voxel> voxel_at(const Vector3& point) const {
     return world::voxel_at(grid_, point);
   }
-  /// The first free voxel that a point is in or on the face, edge or corner of.
+  /// The first free voxel that contains the point, borders (faces, edges, corners) included.
   std::optional<Voxel> free_voxel_at(const Vector3& point) const;
   /// True in free voxels and on their faces.
   bool is_free(const Vector3& point) const { return free_voxel_at(point).has_value(); }
@@ -119,12 +119,12 @@ class Airspace {
   std::uint8_t least_cost() const { return least_cost_; }
   std::uint8_t greatest_cost() const { return greatest_cost_; }
 
-  /// Blocks the voxels that a volume, grown by `margin` [m] all around, touches. Its time window is
-  /// the caller's business. False when the time was up before all were, as in_time.
+  /// Blocks the voxels that a volume, grown by `margin` [m] all around, touches. Ignores its time
+  /// window. False if the time was up before all were blocked, as for in_time().
   /// Precondition: finite corners.
   bool block(const Volume& volume, double margin = 0, const std::function<bool()>& time_is_up = {});
-  /// Blocks the free voxels of which `keep` says false. False when the time was up before all were
-  /// asked about, as in_time. Cost: one call per free voxel.
+  /// Blocks the free voxels for which `keep` is false. False if the time was up before all were
+  /// tested, as for in_time(). Cost: one call per free voxel.
   bool keep_where(const std::function<bool(const Voxel&)>& keep,
                   const std::function<bool()>& time_is_up = {});
   /// Sets the crossing cost, held within [1, 15.9375], of the free voxels that a volume touches.

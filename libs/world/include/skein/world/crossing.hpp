@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does a way go through a closed volume?
+// Intersection of ways with closed volumes.
 #pragma once
 
 #include <vector>
@@ -13,10 +13,10 @@ namespace skein::world {
 /// window does not matter here is the caller's business. Cost: O(corners).
 bool crosses(const Volume& volume, double margin, const Vector3& from, const Vector3& to);
 
-/// Any piece of the way, or its only point.
+/// The same for any segment of the way, or its only point.
 bool crosses(const Volume& volume, double margin, const std::vector<Vector3>& way);
 
-/// What is left of a way for who is at `position`: from there to the end of the nearest piece, and
+/// The rest of a way for a vehicle at `position`: from there to the end of the nearest segment, and
 /// on.
 std::vector<Vector3> rest_of(const std::vector<Vector3>& way, const Vector3& position);
 

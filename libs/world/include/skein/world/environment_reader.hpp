@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts that every file about a world has: origin, terrain, wind, zones, points.
+// Readers for the common parts of world files: origin, terrain, wind, zones, points.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@
 #include "skein/world/wind.hpp"
 #include "skein/world/zone.hpp"
 
-// Each reports what is wrong to the reader's diagnostics and then gives something harmless.
+// Each reports errors to the reader's diagnostics and then returns a harmless value.
 namespace skein::world {
 
-/// No coordinate or length in a file is greater [m].
+/// Limit of coordinates and lengths in files [m].
 inline constexpr double kFarthest = 1e6;
 inline constexpr config::Range kCoordinate{-kFarthest, kFarthest, "m"};
 
@@ -37,14 +37,14 @@ Vector2 read_point_2d(const config::Reader& reader);
 Vector3 read_point(const config::Reader& reader);
 /// [[x, y], …], a simple polygon.
 Polygon read_polygon(const config::Reader& reader);
-/// {polygon, floor, ceiling, from, until}, perhaps beside keys of the caller's: which keys there
-/// may be is the caller's to check.
+/// {polygon, floor, ceiling, from, until}. Other keys are ignored: the caller, which may have keys
+/// of its own, has to check for unknown ones.
 Volume read_volume(const std::string& name, const config::Reader& reader);
 /// Seconds of mission time, not negative.
 MissionTime read_instant(const config::Reader& reader, MissionTime otherwise = {});
 
-/// The items of a list and the entries of a map; reports those that say nothing and names that are
-/// empty, and leaves them out.
+/// The items of a list and the entries of a map; null items and empty names are reported and left
+/// out.
 std::vector<config::Reader> items_of(const config::Reader& reader);
 std::vector<std::pair<std::string, config::Reader>> entries_of(const config::Reader& reader);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one sees along one azimuth: how steeply one must look up to see over the ground.
+// The horizon profile along one azimuth: the steepest slope up to the ground, by distance.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace skein::world {
 
-/// The ground in the upright plane through a place along an azimuth, traced once, at the cost of
-/// one line of sight; every sight in that plane is then answered in O(log cells). Exact on the
-/// bilinear ground: agrees with Terrain::line_of_sight but for rounding. A value type.
+/// The ground in the vertical plane through a place along an azimuth. It is traced once, at the
+/// cost of one line of sight; then each line of sight in that plane costs O(log cells). Exact for
+/// the bilinear ground: agrees with Terrain::line_of_sight but for rounding. A value type.
 class HorizonProfile {
  public:
   /// From `from`, along `azimuth` [rad, ENU], as far as `reach` [m, horizontally]. What is asked

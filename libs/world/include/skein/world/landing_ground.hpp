@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a vehicle may touch the ground: the one rule of vehicles and of who plans for them.
+// Where a vehicle may land: one rule for vehicles and planners.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@ namespace skein::world {
 /// No vehicle lands on ground that slopes by more [rad].
 inline constexpr double kSteepestLanding = 0.2;
 
-/// Why no vehicle lands at that point: outside the terrain, or too steep; nothing when one does.
+/// Why no vehicle can land at this point (outside the terrain, too steep); nothing if one can.
 /// Cost: O(1).
 std::optional<std::string> landing_problem(const Terrain& terrain, const Vector2& at);
 
-/// The same for all points within `radius` [m] of it, for who does not touch down where it meant
-/// to: the steepest of points a quarter of a cell apart. Cost: O(area over cell²).
+/// The same for all points within `radius` [m] of `centre`, for vehicles with a touchdown error;
+/// samples the slope a quarter of a cell, but at least 1 m, apart. Cost: O(area / cell²).
 std::optional<std::string> landing_problem(const Terrain& terrain, const Vector2& centre,
                                            double radius);
 

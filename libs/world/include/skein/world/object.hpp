@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Things in the world that sensors may see: fires, vehicles, smoke.
+// Objects in the world that sensors may detect: fires, vehicles, smoke.
 #pragma once
 
 #include <optional>
@@ -21,22 +21,23 @@ struct WorldObject {
   double radius = 0;                   ///< [m], >= 0
   MissionTime appears;
   MissionTime disappears = MissionTime::max();
-  /// It moves along these at `speed`, from the instant it appears, then stays; empty: it never
-  /// moves.
+  /// The object moves along these points at `speed` from its appearance on, and stays at the last;
+  /// empty: it never moves.
   std::vector<Vector2> waypoints;
   double speed = 0;  ///< over the ground [m/s], >= 0
-  /// A fire that grows from where and when it appears, `radius` ahead of there at first.
+  /// Present: a fire that spreads from its appearance on; its head is `radius` ahead at first.
   std::optional<FireSpread> spread = {};
   bool operator==(const WorldObject&) const = default;
 };
 
-/// From the instant it appears until just before it disappears.
+/// Whether `at` is in [appears, disappears).
 bool is_active(const WorldObject& object, MissionTime at);
 
-/// What burns of a fire that spreads, at an instant from when it appears. Precondition: it spreads.
+/// The front of a spreading fire, for instants from its appearance on. Precondition: it spreads.
 FireFront front_of(const WorldObject& object, MissionTime at);
 
-/// Its centre at an instant; before it appears, where it will. Cost: O(waypoints).
+/// The centre of the object at an instant; before its appearance, where it will appear. Cost:
+/// O(waypoints).
 Vector3 position_at(const WorldObject& object, MissionTime at, const Terrain& terrain);
 
 }  // namespace skein::world

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one look of a sensor gave.
+// The result of one look of a sensor.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@
 namespace skein::world {
 
 struct Detection {
-  std::string kind;                    ///< what the sensor takes it for; may be wrong
+  std::string kind;                    ///< as classified by the sensor; may be wrong
   Vector3 position = Vector3::Zero();  ///< estimate [m], ENU
   double spread = 0;                   ///< standard deviation of the estimate, per axis [m]
   double confidence = 0;               ///< [0, 1]
   bool operator==(const Detection&) const = default;
 };
 
-/// One look, with where it looked: a look without detections says something too.
+/// One look and its view cone; looks without detections are evidence, too.
 struct Perception {
   std::string uav;
   std::string device;

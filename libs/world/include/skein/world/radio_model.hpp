@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which pairs of nodes can talk, how well.
+// Radio propagation between nodes.
 #pragma once
 
 #include <optional>
@@ -31,13 +31,13 @@ struct LinkBudget {
   double path_loss_exponent = 2;  ///< 2 in free space, up to 4 near the ground; > 0
   bool operator==(const LinkBudget&) const = default;
 
-  /// Where what is received falls to the sensitivity [m].
+  /// Distance at which the received power equals the sensitivity [m].
   double range() const;
 };
 
 /// One radio for all nodes of a scenario. Source: spec 1.3 (channels), 4.1 (radio), 8.1.
 struct RadioModel {
-  double range = 0;                 ///< [m], > 0; does not count when there is a budget
+  double range = 0;                 ///< [m], > 0; ignored if there is a budget
   bool needs_line_of_sight = true;  ///< terrain between two nodes cuts them
   Duration latency;
   double loss = 0;  ///< [0, 1)
@@ -49,13 +49,14 @@ struct RadioModel {
   double capacity = 0;  ///< of each link, in each direction [bit/s]; 0: unlimited
   bool operator==(const RadioModel&) const = default;
 
-  /// How far it carries in sight [m]: the range, or what the budget gives.
+  /// Range in line of sight [m]: `range`, or that of the budget.
   double reach() const;
 
   /// Symmetrical in a and b [m, ENU]. `was_up`: what it was when last asked.
   RadioLink link(const Vector3& a, const Vector3& b, const Terrain& terrain, bool was_up) const;
 
-  /// What is received at this distance [m] above what must be [dB]; the terrain is not asked.
+  /// Link margin at this distance [m], the received power above the sensitivity [dB]; without
+  /// terrain.
   /// 10 n log10(reach / distance) with n the exponent of the budget, 2 without one. Not below 0 up
   /// to the reach and only there; less than a metre counts as a metre (as the reach, if shorter).
   double margin(double distance) const;

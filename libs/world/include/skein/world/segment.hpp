@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a point is from a straight piece of a way or of a border, or from a polygon; and how far
-// two pieces are apart.
+// Distances between points, straight segments and polygons.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +8,7 @@
 
 namespace skein::world {
 
-/// From the point to the nearest of the segment [m]; `a` may be `b`. Vector: Vector2 or Vector3.
+/// Distance from a point to a segment [m]; `a` may be `b`. Vector: Vector2 or Vector3.
 template <class Vector>
 double to_segment(const Vector& point, const Vector& a, const Vector& b) {
   const Vector along = b - a;
@@ -18,11 +17,10 @@ double to_segment(const Vector& point, const Vector& a, const Vector& b) {
   return (point - (a + at * along)).norm();
 }
 
-/// From the point to the nearest of the polygon [m]; 0 inside it.
+/// Distance from a point to a polygon [m]; 0 inside it.
 double to_polygon(const Vector2& point, const Polygon& polygon);
 
-/// Between the nearest points of two segments in the plane [m]; 0 where they cross. Either may be
-/// a point.
+/// Distance between two segments in the plane [m]; 0 if they cross. Either may be a point.
 double between_segments(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d);
 
 }  // namespace skein::world

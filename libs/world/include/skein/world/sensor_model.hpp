@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sensor on a UAV sees, as figures and as geometry.
+// Sensor models: view geometry, detection, quality and evidence.
 #pragma once
 
 #include <map>
@@ -20,14 +20,13 @@ struct SensorResponse {
   bool operator==(const SensorResponse&) const = default;
 };
 
-/// How well a sensor perceives a piece of ground, apart from whether it can: the product of what
-/// distance and incidence leave. As it stands by default, everything within range is perceived
-/// equally well. Source: spec 4.1 (perception).
+/// Quality with which a sensor perceives visible ground: the product of a factor for distance and a
+/// factor for incidence. By default both are 1 within range. Source: spec 4.1 (perception).
 struct QualityModel {
-  double best_distance = 0;  ///< up to which distance takes nothing away [m], [0, range]
-  double at_range = 1;       ///< what distance leaves at full range, [0, 1]; linear in between
-  /// Incidence leaves its cosine to this power, >= 0. At 0 incidence does not matter; else ground
-  /// that faces away cannot be perceived.
+  double best_distance = 0;  ///< up to here the distance factor is 1 [m], [0, range]
+  double at_range = 1;       ///< distance factor at full range, [0, 1]; linear in between
+  /// The incidence factor is the cosine of the incidence to this power, >= 0. At 0 incidence does
+  /// not matter; otherwise ground that faces away cannot be perceived.
   double incidence_power = 0;
   bool operator==(const QualityModel&) const = default;
 };
@@ -39,16 +38,16 @@ struct Likelihood {
   bool operator==(const Likelihood&) const = default;
 };
 
-/// What the looks of a device are worth to whoever judges from them whether something burns.
+/// The weight of a device's looks as evidence for a fire.
 struct SensorEvidence {
-  /// By reported kind; what is left of 1 is "reported nothing". Sums stay below 1. A kind that is
-  /// not here counts as nothing.
+  /// By reported kind; the sums stay below 1, and the rest is the probability of reporting nothing.
+  /// A report of another kind counts as reporting nothing.
   std::map<std::string, Likelihood, std::less<>> kinds;
   /// Only such a device confirms an alarm (a visible camera recognises smoke; a heat cell does
   /// not).
   bool confirms = false;
-  /// Most that all the looks of one such device may weigh, in natural log-odds: its errors repeat
-  /// (a hot engine stays hot), so it alone can never make certain.
+  /// Limit on the total weight of all looks of one such device, in natural log-odds: its errors are
+  /// correlated (a hot engine stays hot), so that it alone can never give certainty.
   double limit = 5;
   bool operator==(const SensorEvidence&) const = default;
 };
@@ -60,7 +59,7 @@ struct SensorModel {
   double aperture = 0;  ///< half angle of the cone [rad], (0, π/2]
   double boresight_pitch =
       0;  ///< up from the horizon, ahead of the vehicle [rad]; -π/2: straight down
-  bool gimballed = false;        ///< can be turned to a target, whatever the vehicle's attitude
+  bool gimballed = false;        ///< can be pointed at a target at any attitude of the vehicle
   double range = 0;              ///< [m], > 0
   Duration period;               ///< between two looks, > 0
   double false_alarm_rate = 0;   ///< mean number per second of looking [1/s] (Poisson)
@@ -70,7 +69,7 @@ struct SensorModel {
   /// By kind of object; the sensor is blind to kinds that are not here.
   std::map<std::string, SensorResponse, std::less<>> responses;
   QualityModel quality;
-  double cost = 0;  ///< of a use, in units of quality, [0, 1]: power, film, the link it fills
+  double cost = 0;  ///< of a use (power, film, radio capacity), in units of quality, [0, 1]
   std::optional<SensorEvidence> evidence;  ///< absent: the model does not say
   /// Uses in the planning domain ("detection", "mapping"), beside those that the domain gives to
   /// devices of this name.
@@ -99,7 +98,8 @@ bool in_view(const View& view, const Vector3& centre, double radius = 0);
 double perceived_quality(const SensorModel& sensor, const Vector3& viewpoint, const Vector3& target,
                          const Vector3& normal);
 
-/// The two factors of it: `distance` in [0, range], cosine of the incidence in [-1, 1].
+/// The two factors of perceived_quality(): `distance` in [0, range], cosine of the incidence in
+/// [-1, 1].
 double distance_quality(const SensorModel& sensor, double distance);
 double incidence_quality(const SensorModel& sensor, double cosine);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far apart two vehicles in the air must be.
+// The separation between two vehicles in flight.
 #pragma once
 
 #include "skein/world/geometry.hpp"
@@ -7,10 +7,11 @@
 
 namespace skein::world {
 
-/// What one vehicle asks of the air around it; two keep the sum of theirs, level or in height.
+/// One vehicle's share of a separation. Two vehicles keep the sum of their shares, either
+/// horizontally or vertically.
 struct Separation {
-  double level = 0;   ///< [m]
-  double height = 0;  ///< [m]
+  double level = 0;   ///< horizontal [m]
+  double height = 0;  ///< vertical [m]
 
   bool operator==(const Separation&) const = default;
   Separation operator+(const Separation& other) const {
@@ -18,14 +19,15 @@ struct Separation {
   }
 };
 
-/// Half of its size and two deviations of where it is around where it means to be; in height one
-/// deviation, since barometer and eye hold it better, and a metre for the air that it pushes down.
+/// Horizontally: half of the vehicle's size and two standard deviations of its position around the
+/// intended one. Vertically one deviation, since barometer and eye hold height better, and a metre
+/// for the downwash.
 /// Source: 2 × (position error + tracking error + half size), ../shared/notes/team.md section 6;
 /// without the age of positions, since whoever reserves air asks for no positions of others.
 Separation separation_share(const VehicleModel& model);
 
-/// How much of the separation there is between two places: 1 where it is just kept, less where it
-/// is not; the better of level and height.
+/// The distance between two places as a fraction of the separation `both`: 1 if it is just kept,
+/// less if it is violated; the greater of the horizontal and the vertical fraction.
 double kept_share(const Separation& both, const Vector3& one, const Vector3& other);
 
 }  // namespace skein::world

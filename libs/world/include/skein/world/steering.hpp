@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How vehicles that steer at way-points come to them, and to rest.
+// How vehicles approach way-points and come to rest.
 #pragma once
 
 #include "skein/world/vehicle_model.hpp"
@@ -7,14 +7,15 @@
 
 namespace skein::world {
 
-/// Speed asked per metre of error by one that steers at a place [1/s].
+/// Gain of the position controller: commanded speed per metre of position error [1/s].
 constexpr double kPositionGain = 0.5;
 
-/// So near to a way-point it counts as reached [m]: three deviations of its tracking and a metre;
-/// what steers at a place in a wind that it does not make up for comes to rest beside it.
+/// Distance at which a way-point counts as reached [m]: three standard deviations of tracking and a
+/// metre; for hovering vehicles also the offset at which they come to rest in a wind that they do
+/// not fully compensate.
 double reaching_distance(const VehicleModel& model, const Wind& wind);
 
-/// What it still flies from that speed [m/s] with all of its acceleration against it [m].
+/// Stopping distance from this speed [m/s] at full deceleration [m].
 double braking_distance(const VehicleModel& model, double speed);
 
 }  // namespace skein::world

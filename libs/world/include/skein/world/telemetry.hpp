@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a vehicle tells of itself.
+// Telemetry of a vehicle.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace skein::world {
 
-/// Among the failed devices: the engine.
+/// The name of the engine in Telemetry::failed.
 inline constexpr const char* kEngineDevice = "engine";
 
 /// Once per telemetry period.
 struct Telemetry {
   std::string uav;
   VehicleState state;
-  MissionTime at;                        ///< when it was so
+  MissionTime at;                        ///< instant of `state`
   std::vector<std::string> failed = {};  ///< devices that do not work, by name; kEngineDevice too
   bool operator==(const Telemetry&) const = default;
 };

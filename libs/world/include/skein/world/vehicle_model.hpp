@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a vehicle can do, as figures.
+// Performance figures of vehicle types.
 #pragma once
 
 #include <optional>
@@ -30,7 +30,7 @@ struct EnergyModel {
 
 /// The person who flies a teleoperated vehicle. Source: spec 8.2 (Heliv).
 struct PilotModel {
-  Duration reaction;  ///< mean time from an order to its effect
+  Duration reaction;  ///< mean reaction time, from an order to its effect
   Duration
       reaction_spread;  ///< standard deviation of it; a reaction is never below a fifth of the mean
   double position_imprecision =
@@ -40,14 +40,14 @@ struct PilotModel {
   bool operator==(const PilotModel&) const = default;
 };
 
-/// What is asked of the ground by a vehicle that keeps to it.
+/// Additional figures of a ground vehicle.
 struct GroundModel {
-  double steepest = 0;  ///< slope of the ground that it drives on [rad], (0, π/2)
+  double steepest = 0;  ///< steepest slope that it drives on [rad], (0, π/2)
   double mast = 0;      ///< height of its antenna and its sensors above the ground [m]
   bool operator==(const GroundModel&) const = default;
 };
 
-/// A vehicle type. Speeds are through the air; of one that keeps to the ground over the map.
+/// A vehicle type. Speeds are airspeeds; of ground vehicles, ground speeds on the map.
 /// Source: spec 4.1 (vehicle), 8.2.
 struct VehicleModel {
   std::string name;
@@ -64,32 +64,32 @@ struct VehicleModel {
   double orbit_radius =
       0;               ///< of its waiting circle [m], >= 1.1 × min_turn_radius; 0 when it hovers
   double ceiling = 0;  ///< greatest height above the ground below [m]
-  double body_radius = 1;         ///< of the ball that holds all of it, for collisions [m], > 0
+  double body_radius = 1;         ///< of its bounding sphere, for collisions [m], > 0
   double position_precision = 0;  ///< standard deviation of its own navigation, per axis [m]
-  double wind_drift = 0;          ///< part of the wind that displaces it, uncompensated, [0, 1]
+  double wind_drift = 0;          ///< fraction of the wind that it does not compensate, [0, 1]
   EnergyModel energy;
   std::optional<PilotModel> pilot;  ///< present: teleoperated
-  /// Present: it drives. It is never in the air, neither takes off nor lands, and stands wherever
-  /// it is not told to go. Then it counts as one that hovers, no wind moves it, its ceiling is 0,
-  /// and its climb rates are those on the steepest ground.
+  /// Present: a ground vehicle, which never takes off or lands and stands still without orders. It
+  /// then counts as hovering, wind does not move it, its ceiling is 0, and its climb and descent
+  /// rates are those on the steepest slope.
   std::optional<GroundModel> ground;
   std::vector<SensorModel> sensors;
 
   bool operator==(const VehicleModel&) const = default;
 };
 
-/// The sensor of that device name; null when there is none.
+/// The sensor with this device name, or null.
 const SensorModel* find_sensor(const VehicleModel& model, std::string_view device);
 
-/// Where its antenna and its sensors are when it is at `position`.
+/// Position of the antenna and the sensors of a vehicle at `position`.
 Vector3 eye_of(const VehicleModel& model, const Vector3& position);
 
 /// Power drawn in the air, or driving, [W] at an horizontal speed through the air and a vertical
 /// speed [m/s].
 double flight_power(const VehicleModel& model, double speed, double vertical_speed);
 
-/// Standard deviation of where it flies around where it means to, per axis [m]: its navigation and
-/// its pilot together.
+/// Standard deviation of the flown position around the intended one, per axis [m]: navigation and
+/// pilot together.
 double tracking_spread(const VehicleModel& model);
 
 }  // namespace skein::world

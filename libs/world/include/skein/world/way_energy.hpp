@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a vehicle wants to hold before it flies a way: the one rule of vehicles and of who plans.
+// Energy required before flying a way: one rule for vehicles and planners.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace skein::world {
 
-/// Energy [J] that a vehicle asks for before it flies from point to point [m] ENU at a speed
-/// through the air [m/s], > 0, in still air; one that cannot hover asks for its turns on top. It
-/// refuses a way for which it does not hold as much above its reserve. Cost: O(points).
+/// Energy [J] required to fly from `from` along `way` [m, ENU] at airspeed `speed` [m/s], > 0, in
+/// still air; for vehicles that cannot hover, turns are added. A vehicle refuses a way for which it
+/// has less than that above its reserve. Cost: O(points).
 double energy_asked_for(const VehicleModel& model, Vector3 from, const std::vector<Vector3>& way,
                         double speed);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The world as refiners are told of it.
+// The world model of the refiners.
 #pragma once
 
 #include <map>
@@ -23,7 +23,7 @@ struct World {
   Terrain terrain;
   Wind wind;
   AirspaceGrid airspace;        ///< the voxels of the way-point graph
-  std::vector<Volume> volumes;  ///< no-fly volumes, some for a time only
+  std::vector<Volume> volumes;  ///< no-fly volumes, with time windows
   GroundState ground;
   RadioModel radio;
   std::vector<Zone> zones;                             ///< named areas

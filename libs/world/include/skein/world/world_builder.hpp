@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what a world file says to the world.
+// Makes a World from the content of a world file.
 #pragma once
 
 #include <cstddef>
@@ -15,15 +15,14 @@ namespace skein::world {
 inline constexpr std::size_t kDefaultVoxels = 8'000'000;
 /// Most cells of a GroundState from a file.
 inline constexpr double kMostGroundCells = 4e6;
-/// What the air of a file that gives no ceiling reaches above the highest ground [m].
+/// Height of the airspace above the highest ground if the file gives no ceiling [m].
 inline constexpr double kDefaultAir = 300;
 
 /// The cells of the ground state over a terrain. Precondition: problems_of(terrain) is empty.
 Grid ground_grid(const GroundRequest& ground, const TerrainSpec& terrain);
 
-/// The world, or why there is none: a raster or a place on Earth that was not resolved (only
-/// geodata does that), airspace or ground of too many cells or without extent, fires off the
-/// ground. Every error at once.
+/// Makes the world, or returns all errors: a raster or geodetic place that geodata has not resolved
+/// before, airspace or ground of too many cells or without extent, fires outside the ground.
 Result<World, Diagnostics> build_world(WorldFile file);
 
 }  // namespace skein::world

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a world file says, before its rasters are read and its places on Earth are found.
+// The content of a world file, before its rasters are read and its geodetic places are projected.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@
 
 namespace skein::world {
 
-/// Where something was said, for errors found only later.
+/// Position in the file, for errors that are found later.
 struct Mark {
   int line = 0;      ///< from 1
   std::string path;  ///< "terrain.raster"
@@ -44,14 +44,14 @@ struct RasterTerrain {
   std::optional<Extent> extent;  ///< absent: all that the raster covers
 };
 
-/// Ground that gives more risk the nearer one is to its middle, falling off as a hill does.
+/// A peak of the burning risk, which falls off with distance like a HillSpec.
 struct RiskPeak {
   Vector2 at = Vector2::Zero();
   double risk = 1;    ///< in the middle, [0, 1]
   double radius = 0;  ///< beyond it, none of it is left [m], > 0
 };
 
-/// The highest of the peaks counts, and nothing is below `base`.
+/// The risk is the highest of the peaks at each place, and at least `base`.
 struct RiskPeaks {
   double base = 0;  ///< [0, 1]
   std::vector<RiskPeak> peaks;
@@ -68,7 +68,7 @@ struct GroundRequest {
   Mark mark;
 };
 
-/// The voxels that are wanted; what is absent follows from the terrain.
+/// The requested voxel grid; absent values follow from the terrain.
 struct AirspaceRequest {
   std::optional<double> west, south, east, north, floor, ceiling;  ///< [m]
   std::optional<double> voxel;                                     ///< [m]
@@ -80,8 +80,9 @@ struct Place {
   Mark mark;
 };
 
-/// As read by read_world_file(). What geodata resolves: `terrain` to a TerrainSpec, a risk raster
-/// to RiskCells, a missing origin, places to local points. Then build_world() makes a World of it.
+/// The result of read_world_file(). Geodata then resolves rasters (`terrain` to a TerrainSpec, risk
+/// to RiskCells), a missing origin, and geodetic places to local points; build_world() makes a
+/// World of the result.
 struct WorldFile {
   std::string file;                      ///< name for messages
   std::optional<GeodeticOrigin> origin;  ///< absent: that of the raster
