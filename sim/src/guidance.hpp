@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what a vehicle is to do to what is asked of it in the next step.
+// Guidance: turns the goal of a vehicle into the command for its next step.
 #pragma once
 
 #include <optional>
@@ -16,11 +16,11 @@ namespace skein::sim {
 
 /// Stay on the ground.
 struct Stay {};
-/// Keep still there; one that cannot hover circles it.
+/// Hover at a place; a vehicle that cannot hover circles it.
 struct Hold {
   world::Vector3 at;
 };
-/// Rise from where it stands to an absolute height [m].
+/// Climb from the ground to a height [m, ENU z].
 struct Rise {
   world::Vector2 at;
   double height;
@@ -34,13 +34,13 @@ struct Fly {
   std::vector<world::Vector3> waypoints;  ///< at least one
   double speed;                           ///< [m/s]
   std::size_t next = 0;                   ///< the way-point being flown to
-  /// One that cannot hover flies straight on, to get room for the turn that leads there.
+  /// A vehicle that cannot hover flies straight on, to get room for its turn to the way-point.
   bool makes_room = false;
 };
-/// Come to rest as soon as possible, wherever that is.
+/// Come to rest as soon as possible, at any place.
 struct Brake {
-  std::optional<world::Vector3> centre = {};  ///< where it will wait
-  double at_rest = 0;                         ///< for how long [s]
+  std::optional<world::Vector3> centre = {};  ///< the place where the vehicle will wait
+  double at_rest = 0;                         ///< time at rest so far [s]
 };
 using elementary::kLeastHeight;
 
@@ -60,18 +60,19 @@ class Guidance {
   Guidance(const world::VehicleModel& model, const world::Terrain& terrain,
            const world::Wind& wind);
 
-  /// One that cannot hover ends its way as high as the circle there needs.
+  /// For a vehicle that cannot hover, the end of a way is raised to the height that its waiting
+  /// circle needs there.
   void set(Goal goal);
   const Goal& goal() const { return goal_; }
   bool done() const { return done_; }
-  /// Where a vehicle that hovers turns to when it is slow.
+  /// The point that a hovering vehicle turns to when it is slow.
   void look_at(const std::optional<world::Vector2>& target) { look_at_ = target; }
-  /// The part of their speed that Rise, Descend and Fly are flown at, > 0; 1 at first.
+  /// The fraction of their speed at which Rise, Descend and Fly are flown, > 0; initially 1.
   void set_pace(double pace) { pace_ = pace; }
 
-  /// What to do in the next step. `error`: where it is flown to, relative to where meant [m].
+  /// The command for the next step. `error`: flown position relative to the intended one [m].
   Command next(const Vehicle& vehicle, const world::Vector3& error, double heading_error) const;
-  /// After each step of the vehicle, `dt` seconds long: takes note of what it reached.
+  /// To be called after each step of the vehicle, of `dt` seconds: updates the goal's progress.
   void update(const Vehicle& vehicle, double dt);
   /// For people: "goto 2/5", "hold", "orbit", …
   std::string activity() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The wind that one vehicle meets: the mean and its own gusts.
+// The wind at one vehicle: the mean wind and the vehicle's own gusts.
 #pragma once
 
 #include "skein/foundation/random.hpp"

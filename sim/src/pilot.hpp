@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who flies: how soon an order takes effect and how far from the meant place it is flown.
+// Reaction time and flying errors of the autopilot or pilot.
 #pragma once
 
 #include "skein/foundation/random.hpp"
@@ -7,20 +7,21 @@
 
 namespace skein::sim {
 
-/// The autopilot, or the person of a teleoperated vehicle. What is flown is offset from what is
-/// meant by an error drawn anew at each correction: every attention period of a person, every 5 s
-/// of an autopilot (its navigation wanders). Errors are cut at two deviations.
+/// The autopilot, or the human pilot of a teleoperated vehicle. The flown position and heading are
+/// offset from the intended ones by errors that are drawn anew at each correction: every attention
+/// period of a human pilot, every 5 s of an autopilot (drift of its navigation). Errors are limited
+/// to two standard deviations.
 class Pilot {
  public:
   Pilot(const world::VehicleModel& model, Random random);
 
-  /// From an order to its effect; zero for an autopilot.
+  /// A random reaction time, from an order to its effect; zero for an autopilot.
   Duration reaction();
   /// Draws the errors anew if a correction is due.
   void attend(MissionTime now);
-  /// Of the place that is flown to [m].
+  /// Error of the flown position [m].
   const world::Vector3& position_error() const { return position_error_; }
-  /// Of the heading that is flown, and of a sensor that is pointed by hand [rad].
+  /// Error of the flown heading, and of the direction of a sensor that is pointed by hand [rad].
   double heading_error() const { return heading_error_; }
 
  private:

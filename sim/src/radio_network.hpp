@@ -11,16 +11,16 @@
 
 namespace skein::sim {
 
-/// Both directions of a pair are alike but for what is scripted of one of them. Geometry is looked
-/// at once per radio period, what is scripted at the first update after it begins or ends.
+/// Both directions of a pair are equal except for scripts of one direction. Geometry is evaluated
+/// once per radio period, scripts at the first update after they begin or end.
 class RadioNetwork {
  public:
   /// `nodes`: their names, in the order of the positions given to update.
   RadioNetwork(const SimulatorConfig& config, std::vector<std::string> nodes);
 
-  /// True if update has something to look at.
+  /// Whether update() has anything to evaluate.
   bool due(MissionTime now) const { return now >= next_; }
-  /// Tells what changed (the first time: how everything is).
+  /// Adds a LinkChange for each change (the first time: for each link).
   void update(const std::vector<world::Vector3>& positions, const world::Terrain& terrain,
               MissionTime now, std::vector<Effect>& effects);
 
@@ -29,9 +29,9 @@ class RadioNetwork {
     std::size_t a, b;
     bool in_contact = true;                      ///< by geometry, without the cuts
     std::array<world::RadioLink, 2> links = {};  ///< from a to b, from b to a
-    bool scripted = false;                       ///< something of it is
+    bool scripted = false;                       ///< some script or cut is about this pair
   };
-  /// How it is from one to the other.
+  /// The link from one node to the other.
   world::RadioLink link(const Pair& pair, std::size_t from, std::size_t to, MissionTime now) const;
   MissionTime next_after(MissionTime now) const;
 

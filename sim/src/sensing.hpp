@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one look of one sensor detects, by geometry and by chance.
+// Simulation of one look of one sensor: geometry and random detection.
 #pragma once
 
 #include <optional>
@@ -16,28 +16,28 @@ namespace skein::sim {
 
 using elementary::view_of;
 
-/// What there is to see.
+/// The terrain and the objects that sensors may see.
 struct Scene {
   const world::Terrain& terrain;
   const std::vector<world::WorldObject>& objects;
 };
 
-/// True when the object is there, in view, and the terrain does not hide its top. Of a fire that
-/// spreads: some place of its front.
+/// True if the object is active and in view, and the terrain does not hide its top. A spreading
+/// fire is visible if some point of its front is.
 bool is_visible(const world::View& view, const world::WorldObject& object, MissionTime at,
                 const world::Terrain& terrain);
 
-/// How well an object is perceived, [0, 1], by the part of it that is nearest: what distance and
-/// incidence leave, as world::perceived_quality has it, so that who plans a view and who simulates
-/// it agree. An object that lies on the ground is inclined as the ground is; one over it has no
-/// surface of its own. 1 from within the object. Within the range, whatever the view says.
+/// Quality with which an object is perceived, [0, 1], at its nearest part:
+/// world::perceived_quality, so that planners and simulator agree. An object on the ground is
+/// inclined as the ground is; an object above it has no surface of its own. 1 from within the
+/// object. Depends on the range, but not on the direction of the view.
 double quality_of(const world::SensorModel& sensor, const world::Vector3& viewpoint,
                   const world::WorldObject& object, MissionTime at, const world::Terrain& terrain);
 
-/// One look: each visible object of a known kind is detected with its probability times the quality
-/// with which it is perceived, at a place with the sensor's spread. Of a fire that spreads it is
-/// the place of its front that is nearest to where the sensor looks. False alarms come on top, on
-/// the ground in view where there is some.
+/// One look: each visible object of a known kind is detected with the probability of its kind times
+/// its quality, at a position with the sensor's spread. A spreading fire is detected at the point
+/// of its front that is nearest to the line of view. False alarms are added, on the ground in view
+/// if there is any.
 std::vector<world::Detection> look(const world::SensorModel& sensor, const world::View& view,
                                    const Scene& scene, MissionTime at, Random& random);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The perceptions of one vehicle.
+// The sensors of one vehicle and their tasks.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ namespace skein::sim {
 
 using elementary::TakeshotTask;
 
-/// Each device runs at most one task. A task looks at once, then at each period of its device,
-/// until it is interrupted, or has its duration or its number of shots.
+/// Each device runs at most one task. A task takes its first look at once, then one per period of
+/// its device, until it is interrupted, or its duration or number of shots is reached.
 class SensorSuite {
  public:
   SensorSuite(const world::VehicleModel& model, const std::string& uav, std::uint64_t seed);
@@ -42,7 +42,7 @@ class SensorSuite {
             MissionTime now, StatusBoard& board, std::vector<Effect>& effects);
 
   const std::set<std::string>& broken() const { return broken_; }
-  /// Where the first running task that has a target wants to look.
+  /// The target of the first running task that has one.
   std::optional<world::Vector2> target() const;
 
  private:
@@ -55,7 +55,7 @@ class SensorSuite {
   };
 
   world::VehicleModel model_;
-  std::map<std::string, Random> randoms_;  ///< by device: one does not disturb the others
+  std::map<std::string, Random> randoms_;  ///< by device, so that devices do not affect each other
   std::set<std::string> broken_;
   std::vector<Shot> shots_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The statuses that one vehicle gives of its tasks.
+// The task statuses that one vehicle has reported.
 #pragma once
 
 #include <string>
@@ -25,10 +25,10 @@ class StatusBoard {
     told_.set(status);
     effects.push_back(FunctionalStatus{uav_, std::move(status), at});
   }
-  /// A task not begun yet, waiting for its pilot: known, though nothing was told.
+  /// The task was accepted but not begun (its pilot has not reacted yet), without a status so far.
   void note(TaskId task) { told_.note(task); }
   bool knows(TaskId task) const { return told_.knows(task); }
-  /// Tells again what was told last of a known task, if anything was.
+  /// Repeats the last status of a known task, if there was any.
   void repeat(TaskId task, MissionTime at, std::vector<Effect>& effects) const {
     if (const auto status = told_.last(task))
       effects.push_back(FunctionalStatus{uav_, *status, at});

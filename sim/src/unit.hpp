@@ -33,7 +33,7 @@ namespace skein::sim {
 /// node or the layer itself forgot all | – | aborted + reason |
 /// | pending, active | fault of the functional layer    | –        | aborted + reason  |
 ///
-/// Between tasks it holds where it is (or circles, or stays on the ground).
+/// Between tasks the vehicle holds its position (or circles, or stays on the ground).
 class Unit {
  public:
   Unit(const SimulatedVehicle& vehicle, const SimulatorConfig& config, const Scene& scene);
@@ -77,7 +77,7 @@ class Unit {
   void watch_contact(MissionTime now, std::vector<Effect>& effects);
   void give_up(const char* reason, MissionTime now, std::vector<Effect>& effects);
   void watch_breakdowns(MissionTime now, std::vector<Effect>& effects);
-  /// The task that holds the vehicle looks at something meanwhile.
+  /// Whether the task that holds the vehicle also uses a sensor.
   bool looks() const;
   void release_perception();
   std::string activity() const;
@@ -94,7 +94,7 @@ class Unit {
   std::optional<MotionTask> motion_;
   bool breakdown_told_ = false;
   Duration patience_;
-  std::optional<MissionTime> silent_since_ = {};  ///< its decision node
+  std::optional<MissionTime> silent_since_ = {};  ///< since when its decision node is silent
   double speed_factor_;
   double slowed_by_ = 1;
   MissionTime slow_until_ = {};

@@ -10,26 +10,26 @@
 
 namespace skein::sim {
 
-/// What guidance asks of the vehicle for one step; the vehicle does what its limits let it.
+/// The command of guidance for one step; the vehicle follows it within its limits.
 struct Command {
-  double speed = 0;   ///< horizontal, through the air [m/s]
-  double course = 0;  ///< where to [rad]
+  double speed = 0;   ///< horizontal airspeed [m/s]
+  double course = 0;  ///< direction of motion [rad]
   double climb = 0;   ///< [m/s], up positive
   std::optional<double> heading =
       {};                  ///< of a vehicle that hovers; else it looks where it flies [rad]
   bool may_touch = false;  ///< touching the ground is meant (takeoff and landing)
 };
 
-/// Laws: speed, acceleration, climb and descent rates never exceed the model's; one that cannot
-/// hover never turns tighter than its radius and, in flight, never falls below its least speed;
-/// energy never grows. All of them hold through the air: the wind adds its drift.
+/// Laws, relative to the air (the wind adds its drift): speed, acceleration, climb and descent
+/// rates never exceed the model's; a vehicle that cannot hover never turns tighter than its radius
+/// and, in flight, never falls below its least speed; energy never grows.
 class Vehicle {
  public:
   Vehicle(const world::VehicleModel& model, const world::Vector3& position, double heading,
           double energy);
 
-  /// Advances by `dt` [s] over the terrain. `wind`: motion of the air [m/s]. One that meets the
-  /// ground without meaning to has crashed, also while it climbs along a slope.
+  /// Advances by `dt` [s] over the terrain. `wind`: motion of the air [m/s]. A vehicle that touches
+  /// the ground without Command::may_touch has crashed, also while it climbs along a slope.
   void step(const Command& command, const world::Vector3& wind, const world::Terrain& terrain,
             double dt);
 
@@ -38,10 +38,10 @@ class Vehicle {
   /// Velocity through the air, scaled as if all drift were wind [m/s].
   const world::Vector3& air_velocity() const { return air_velocity_; }
 
-  /// From now on it sinks to the ground and stays there.
+  /// From now on the vehicle sinks to the ground and stays there.
   void break_engine() { engine_works_ = false; }
   bool engine_works() const { return engine_works_; }
-  /// It met the ground without meaning to; its engine is broken too.
+  /// Whether the vehicle has crashed into the ground; its engine is then broken, too.
   bool crashed() const { return crashed_; }
 
  private:

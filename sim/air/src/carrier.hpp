@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packets through the air.
+// Transfer of packets between tunnels.
 #pragma once
 
 #include <queue>
@@ -11,17 +11,17 @@
 
 namespace skein::air {
 
-/// Takes packets from the tunnels, one for each node of the air, and gives them to others when the
-/// air says so. Time is steady.
+/// Moves packets between the tunnels, one for each node, with the delays and losses of the Air.
+/// Times are steady.
 class Carrier {
  public:
   Carrier(Air& air, std::vector<Tunnel> tunnels) : air_(air), tunnels_(std::move(tunnels)) {}
 
   const std::vector<Tunnel>& tunnels() const { return tunnels_; }
-  /// All that waits in the tunnel of this node.
+  /// Takes all packets that wait in the tunnel of this node.
   void take_from(std::size_t node, Duration now);
   void deliver(Duration now);
-  /// When deliver() has something to do.
+  /// When deliver() has a packet to deliver; nothing if none is under way.
   std::optional<Duration> next() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What went through the air.
+// The report on the packets carried.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace skein::air {
 
-/// One JSON document: for each direction the counts; `seconds`: how long.
+/// One JSON document with the counts of each direction. `seconds`: duration of the run.
 std::string report_of(const Air& air, const std::vector<std::string>& names, double seconds);
 
 }  // namespace skein::air

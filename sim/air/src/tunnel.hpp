@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A network interface whose packets come to us.
+// A TUN network interface.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ class Tunnel {
   int descriptor() const { return descriptor_; }
   /// One packet; empty if there is none.
   std::vector<std::uint8_t> read();
-  /// False if it was not taken: the interface is down, or its queue is full.
+  /// False if the packet was not accepted: the interface is down, or its queue is full.
   bool write(std::span<const std::uint8_t> packet);
 
  private:

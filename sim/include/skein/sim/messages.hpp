@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What goes into the simulator and what comes out.
+// Inputs and effects of the simulator.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,8 @@ namespace skein::sim {
 
 // ---- inputs ----
 
-/// From a decision node to the functional layer of its vehicle. Task types and parameters: README.
+/// A request from a decision node to the functional layer of its vehicle. Task types and
+/// parameters: README.
 struct FunctionalRequest {
   std::string uav;
   functional::Request request;
@@ -35,7 +36,7 @@ enum class FaultKind {
   kEnergy   ///< what is left becomes `left`, if that is less
 };
 
-/// Something goes wrong on board.
+/// A fault on board.
 struct Fault {
   std::string uav;
   FaultKind kind = FaultKind::kEngine;
@@ -46,25 +47,25 @@ struct Fault {
   double left = 0;  ///< [0, 1]
 };
 
-/// Why a task aborts that a fault of kind kAbort met.
+/// The reason of aborts by faults of kind kAbort.
 inline constexpr const char* kAbortedByFault = "aborted by the functional layer";
 
-/// The decision node of a vehicle can no longer be heard by it (lost), or again; or it comes back
-/// and knows nothing of what its vehicle does.
+/// A vehicle has lost the contact to its decision node, or regained it; or (`forgotten`) the
+/// decision node has restarted without knowledge of the vehicle's tasks.
 struct ContactLost {
   std::string uav;
   bool lost = true;
   bool forgotten = false;
 };
 
-/// Where a vehicle is that another node plays: for the radio.
+/// The position of a vehicle that another node simulates, for the radio.
 struct VehicleElsewhere {
   std::string uav;
   world::Vector3 position = world::Vector3::Zero();  ///< [m] ENU
 };
 
-/// The functional layer of every vehicle here has lost all that it knew: what it was asked, what it
-/// told. The vehicles are where they are; each task under way is over, and comes to rest.
+/// The functional layers of all vehicles here have lost their memory of requests and statuses. The
+/// vehicles stay where they are; their active tasks are over, and they come to rest.
 struct LayerForgot {};
 
 using Input =
@@ -72,10 +73,10 @@ using Input =
 
 // ---- effects, in the order they happen ----
 
-/// What the vehicle tells of itself, once per telemetry period.
+/// Telemetry of a vehicle, once per telemetry period.
 using world::Telemetry;
 
-/// The answer.
+/// The answer to a FunctionalRequest.
 struct FunctionalStatus {
   std::string uav;
   functional::Status status;
@@ -89,8 +90,8 @@ struct PerceptionOut {
   bool operator==(const PerceptionOut&) const = default;
 };
 
-/// The radio from one node to another changed; at the first step, how it is, in pairs, one for each
-/// direction.
+/// The radio from one node to another has changed; at the first step, the initial condition, in
+/// pairs of both directions.
 struct LinkChange {
   std::string from;
   std::string to;
@@ -102,7 +103,8 @@ struct LinkChange {
   bool operator==(const LinkChange&) const = default;
 };
 
-/// Where a vehicle really is, with the telemetry; for the log and the runner, not for decisions.
+/// The true state of a vehicle, together with its telemetry; for the log and the runner, not for
+/// decisions.
 struct VehicleTruth {
   std::string uav;
   world::VehicleState state;
@@ -110,8 +112,8 @@ struct VehicleTruth {
   bool operator==(const VehicleTruth&) const = default;
 };
 
-/// An object of the world, when it appears, disappears, each telemetry period while it moves, and
-/// once per object period.
+/// The true state of an object: when it appears, when it disappears, each telemetry period while it
+/// moves, and once per object period.
 struct ObjectTruth {
   std::string name;
   std::string kind;
@@ -119,7 +121,7 @@ struct ObjectTruth {
   double radius = 0;
   bool active = false;
   MissionTime at;
-  /// Of a fire that spreads; its middle is `position`, half its length `radius`.
+  /// Of a spreading fire; then `position` is its centre and `radius` half its length.
   std::optional<world::FireFront> front = {};
   bool operator==(const ObjectTruth&) const = default;
 };

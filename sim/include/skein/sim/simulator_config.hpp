@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a simulation is made of.
+// Configuration of a simulation.
 #pragma once
 
 #include <cstdint>
@@ -24,10 +24,9 @@ struct SimulatedVehicle {
   world::Vector2 start = world::Vector2::Zero();  ///< on the ground there
   double heading = 0;                             ///< [rad], ENU counter-clockwise from east
   double energy = 1;                              ///< at the start, [0, 1]
-  /// Of the speeds that its model promises, what it flies takeoffs, landings and ways at, > 0; its
-  /// limits stay.
+  /// Factor on the speeds of its model at takeoff, landing and along ways, > 0; its limits stay.
   double speed_factor = 1;
-  /// False: another node plays it, and this one is told where it is (VehicleElsewhere).
+  /// False: another node simulates it, and this one is told its position (VehicleElsewhere).
   bool played = true;
 };
 
@@ -40,8 +39,8 @@ struct RadioCut {
   bool one_way = false;  ///< only from a to b; else both ways
 };
 
-/// A link that is unlike the others as long as it is up, in [from, until). Of several that hold at
-/// once the later one counts.
+/// Scripted properties of a radio link while it is up, in [from, until). Of several that apply at
+/// once, the last one in the list that gives a property determines it.
 struct RadioScript {
   std::string a;
   std::string b;
@@ -62,10 +61,10 @@ struct SimulatorConfig {
   world::Vector3 ground_station = world::Vector3::Zero();  ///< its antenna [m], ENU
   std::vector<RadioCut> cuts = {};
   std::vector<RadioScript> links = {};
-  /// It tells of objects and of the radio. False: another node does, and this one only plays
-  /// vehicles.
+  /// Whether this simulator reports objects and the radio. False: another node does, and this one
+  /// simulates vehicles only.
   bool tells_world = true;
-  /// How long tasks go on while their decision node is silent: it may come back.
+  /// How long tasks continue while their decision node is silent, since it may come back.
   Duration patience = Duration::seconds(120);
   std::uint64_t seed = 1;
   MissionTime start = {};                       ///< instant of the first step
@@ -77,8 +76,8 @@ struct SimulatorConfig {
       Duration::milliseconds(30000);  ///< between two truths of an unchanged object
 };
 
-/// Why it cannot be simulated, in sentences, all at once: a start outside the terrain, two nodes of
-/// one name, a cut between unknown nodes, a period that is not positive, …; empty when it can.
+/// All problems of a configuration, in sentences: a start outside the terrain, two nodes of one
+/// name, a cut between unknown nodes, a period that is not positive, …; empty if it is valid.
 std::vector<std::string> problems_of(const SimulatorConfig& config);
 
 }  // namespace skein::sim

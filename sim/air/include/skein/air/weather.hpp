@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the simulator says of the radio, as conditions of the air.
+// Applies the simulator's link states to the Air.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@
 
 namespace skein::air {
 
-/// What holds on every link besides what the simulator says: of two losses the worse counts, delays
-/// add up, and a rate takes the place of the capacity that is told of, which nodes keep to too.
+/// Conditions on every link in addition to the simulator's: the greater loss holds, delays add up,
+/// and a rate replaces the reported capacity (which the nodes themselves keep to as well).
 struct Everywhere {
   double loss = 0;
   Duration delay;
   double rate = 0;  ///< [byte/s]; 0: any
 };
 
-/// Follows link states once the mission runs; before, everybody hears everybody, as on the apron.
-/// Mission seconds become steady ones by the clock's rate.
+/// Follows link states once the mission runs; before, all nodes hear each other, as on the apron.
+/// Mission time is converted to steady time by the clock's rate.
 class Weather {
  public:
   /// `numbers`: of the nodes of the air, in its order.
   Weather(std::vector<std::uint32_t> numbers, Everywhere everywhere, Air& air);
 
-  /// A Clock or a LinkState; others count for nothing.
+  /// Takes a Clock or a LinkState; other samples are ignored.
   void hear(const wire::Sample& sample);
   bool running() const { return running_; }
   /// Mission time as last heard [ns].

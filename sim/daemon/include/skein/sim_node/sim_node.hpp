@@ -22,9 +22,9 @@ struct ScheduledFault {
 /// states and ground truth out to the world; ground truth to the event log, with what the
 /// functional layer of each vehicle really does.
 ///
-/// Begun in a new incarnation after inputs of a former one, it is a functional layer that has lost
-/// its memory: the vehicles and the world are as those inputs left them, tasks that were under way
-/// are over, and nobody is told.
+/// If it starts in a new incarnation after inputs of a former one, it acts as a functional layer
+/// that has lost its memory: vehicles and world are as those inputs left them, active tasks are
+/// over, and their end is not reported.
 class SimNode final : public node::Node {
  public:
   /// `name`: of this node, "sim" or a functional layer's. `faults` in order of time.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a scenario to the node that simulates its world and vehicles.
+// Makes the simulator node of a scenario.
 #pragma once
 
 #include <memory>
@@ -11,12 +11,12 @@
 
 namespace skein::sim_setup {
 
-/// The simulator ("sim"), or a functional layer that the scenario names, which plays its own
-/// vehicles only.
+/// Makes the simulator ("sim"), or a functional layer that the scenario names, which simulates its
+/// own vehicles only.
 std::unique_ptr<node::Node> make_sim(const scenario::Scenario& scenario, const std::string& name);
 
-/// What only shows when the world meets the vehicles and the radio (a start outside the terrain, a
-/// cut between unknown nodes): every problem at once.
+/// All problems in the combination of world, vehicles and radio (a start outside the terrain, a cut
+/// between unknown nodes).
 Diagnostics simulation_problems(const scenario::Scenario& scenario);
 
 }  // namespace skein::sim_setup
