@@ -59,11 +59,11 @@ struct SensorModel {
   double aperture = 0;  ///< half angle of the cone [rad], (0, π/2]
   double boresight_pitch =
       0;  ///< up from the horizon, ahead of the vehicle [rad]; -π/2: straight down
-  bool gimballed = false;        ///< can be pointed at a target at any attitude of the vehicle
-  double range = 0;              ///< [m], > 0
-  Duration period;               ///< between two looks, > 0
-  double false_alarm_rate = 0;   ///< mean number per second of looking [1/s] (Poisson)
-  std::string false_alarm_kind;  ///< what false alarms are reported as
+  bool gimballed = false;             ///< can be pointed at a target at any attitude of the vehicle
+  double range = 0;                   ///< [m], > 0
+  Duration period;                    ///< between two looks, > 0
+  double false_alarm_rate = 0;        ///< mean number per second of looking [1/s] (Poisson)
+  std::string false_alarm_kind;       ///< what false alarms are reported as
   double false_alarm_confidence = 0;  ///< [0, 1]
   double position_spread = 0;         ///< standard deviation of a reported position, per axis [m]
   /// By kind of object; the sensor is blind to kinds that are not here.
