@@ -9,8 +9,8 @@
 
 namespace skein::blackboard::fastdds {
 
-/// What passes through a void pointer of Fast DDS: on the way out it points to a sample, on the way
-/// in it holds what came.
+/// The data behind the void pointers of Fast DDS: for writing a pointer to the sample, for reading
+/// the received content.
 struct Cargo {
   const wire::Sample* outgoing = nullptr;
   std::variant<wire::Sample, Malformed> incoming;

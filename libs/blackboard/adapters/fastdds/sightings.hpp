@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Fast DDS finds, as sightings.
+// Discovery and samples of Fast DDS as Sightings.
 #pragma once
 
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>

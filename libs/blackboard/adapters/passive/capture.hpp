@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples of others' datagrams, told by what discovery says of their writers.
+// Captured samples, attributed to topics by the discovery of their writers.
 #pragma once
 
 #include <deque>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The UDP datagrams that pass an interface of this machine, as the kernel shows them to who may
-// look.
+// Capture of the UDP datagrams that pass an interface of this machine.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +26,7 @@ class PacketRing {
   /// What has passed since the last call: its content, and when [ns since 1970].
   using Use = std::function<void(std::span<const std::uint8_t> datagram, std::int64_t heard)>;
   void take(const Use& use);
-  /// Datagrams that there was no room for, in all.
+  /// Total number of datagrams dropped for lack of room.
   std::uint64_t lost();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who begins to write what is read only then.
+// Discovery of remote writers for readers that are made only when there is one.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long a datagram may be that the network does not cut up.
+// The longest datagram that the network carries without IP fragmentation.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +22,9 @@ std::uint32_t longest_datagram(const std::vector<std::string>& addresses,
 /// Asks the system for the interfaces' sizes.
 std::uint32_t longest_datagram(const std::vector<std::string>& addresses);
 
-/// What RTPS needs for one submessage with something in it.
+/// The least that RTPS needs for one submessage with content [byte].
 inline constexpr std::uint32_t kShortestDatagram = 1024;
-/// What Fast DDS says at most, whatever the network carries.
+/// The longest datagram of Fast DDS, whatever the network carries [byte].
 inline constexpr std::uint32_t kLongestDatagram = 65'500;
 
 }  // namespace skein::blackboard::rtps

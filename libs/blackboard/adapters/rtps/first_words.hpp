@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a new writer of a stream said before anybody could read it.
+// The samples of new stream writers, repeated for readers that are discovered later.
 #pragma once
 
 #include <chrono>
@@ -24,12 +24,12 @@ class FirstWords {
 
   /// A writer of the slot was made.
   void begin(wire::Slot slot, Clock::time_point now);
-  /// It has said this.
+  /// The writer has written this sample.
   void keep(const wire::Sample& sample, Clock::time_point now);
-  /// It has found a reader: gives what is to be said again.
+  /// The writer has matched a reader: calls `use` with the samples to be repeated.
   void found(wire::Slot slot, Clock::time_point now,
              const std::function<void(const wire::Sample&)>& use);
-  /// All writers are gone, and what they said.
+  /// All writers were deleted: forgets their samples.
   void clear() { streams_.clear(); }
 
  private:

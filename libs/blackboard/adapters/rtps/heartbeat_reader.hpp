@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One reader for what all peers say over radio to be heard.
+// One common reader for the heartbeats of all peers over radio.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ class HeartbeatReader {
   /// channel (spies).
   static std::optional<HeartbeatReader> of(const TransportPlan& plan, const DdsConfig& config);
 
-  /// What it reads, as a channel of its own.
+  /// The plan of this reader, as a channel of its own.
   const LinkPlan& link() const { return link_; }
   bool covers(std::size_t channel) const;
   /// The channel that it came over: from whoever passed it on last, or else from its origin. Who is

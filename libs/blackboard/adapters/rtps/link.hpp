@@ -20,7 +20,7 @@
 
 namespace skein::blackboard::rtps {
 
-/// What a node has of a channel.
+/// A node's side of a channel.
 struct LinkPlan {
   ChannelConfig config;
   std::vector<wire::Slot> writes, reads;
@@ -36,7 +36,7 @@ struct LinkPlan {
   bool waits_to_read(wire::Slot slot) const;
 };
 
-/// Whether it names many partitions.
+/// Whether the text is a pattern, which stands for many partitions.
 bool is_pattern(std::string_view partition);
 
 /// Of the channel with that index. Endpoints of the world do not wait: everybody uses them, and
@@ -46,8 +46,8 @@ bool is_pattern(std::string_view partition);
 /// scouts_of.
 LinkPlan plan_link(const TransportPlan& plan, std::size_t index, const DdsConfig& config);
 
-/// The endpoints of one channel, as a vendor makes them. Failures are sentences that name vendor
-/// and channel.
+/// The DDS endpoints of one channel, implemented for each vendor. Failures are sentences that name
+/// vendor and channel.
 class Endpoints {
  public:
   using Clock = std::chrono::steady_clock;
@@ -61,11 +61,12 @@ class Endpoints {
   virtual Result<void, Failure> open() = 0;
   virtual Result<void, Failure> add_writer(wire::Slot slot) = 0;
   virtual Result<void, Failure> add_reader(wire::Slot slot) = 0;
-  /// Deletes all that there is, the histories of writers too.
+  /// Deletes all endpoints, with the histories of the writers.
   virtual Result<void, Failure> close() = 0;
-  /// With the writer of its slot, which was added; false if it was not taken.
+  /// Writes with the writer of the sample's slot, which must have been added; false if the
+  /// middleware did not accept the sample.
   virtual bool write(const wire::Sample& sample) = 0;
-  /// Waits until everybody has got what was written, at most until then.
+  /// Waits until all readers have received all samples written, at most until `until`.
   virtual void flush(Clock::time_point until) = 0;
 };
 
@@ -86,7 +87,7 @@ class Link {
   bool write(const wire::Sample& sample);
   Result<void, Failure> set_up(bool up);
   bool up() const { return up_; }
-  /// Somebody writes that slot for this channel's reader.
+  /// A remote writer of this slot was discovered for this channel's reader.
   void attend(wire::Slot slot);
   /// This channel's writer of that slot has found a reader.
   void meet(wire::Slot slot);
@@ -114,7 +115,7 @@ class Link {
   std::unique_ptr<Endpoints> endpoints_;
   Log log_;
   bool up_ = false;
-  Slots writers_, readers_;  ///< that there are
+  Slots writers_, readers_;  ///< that exist
   Slots written_by_others_;  ///< of the reads
   Slots streamed_;           ///< streams that were written: their writers wait no more after a cut
   Slots refused_;            ///< that were told of
