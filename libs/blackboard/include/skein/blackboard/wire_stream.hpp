@@ -38,7 +38,7 @@ struct PerceptionReport {
   FloatVector3 viewpoint;
   FloatVector3 view_direction;  ///< unit vector
   float range = 0;  ///< [m]
-  float aperture = 0;  ///< [rad] full angle of the cone of view
+  float aperture = 0;  ///< [rad] half angle of the cone of view
   std::vector<Detection> detections;
   bool operator==(const PerceptionReport&) const = default;
 };
