@@ -30,20 +30,17 @@ std::set<MemberNumber> TeamMember::Core::present() const {
   return members;
 }
 
-// Who has just taken the token has heard nobody: all have the time of a beat to answer its first
-// one.
-bool TeamMember::Core::is_listening() const {
-  if (now_ >= held_since_ + setup_.limits.beat) return false;
-  const std::vector<MemberNumber> members = others();
-  return std::any_of(members.begin(), members.end(), [this](MemberNumber member) {
-    return !known_.contains(member) && !ledger().lost.contains(member);
-  });
-}
-
 // Something has no owner, or somebody is there that the last sale was without; and who bids has
 // been told what the tasks are: the ledger says it, calls do not.
 bool TeamMember::Core::is_to_sell(const std::set<MemberNumber>& here) const {
-  if (is_listening()) return false;
+  const auto any_unheard = [this] {
+    const std::vector<MemberNumber> members = others();
+    return std::any_of(members.begin(), members.end(), [this](MemberNumber member) {
+      return !known_.contains(member) && !ledger().lost.contains(member);
+    });
+  };
+  // Who has just taken the token has heard nobody: all have the time of a beat to answer its first.
+  if (now_ < held_since_ + setup_.limits.beat && any_unheard()) return false;
   const auto is_new = [this](MemberNumber member) { return !took_part_.contains(member); };
   const bool joined = now_ >= rest_until_ && std::any_of(here.begin(), here.end(), is_new);
   if (here.empty() || !worth_selling(ledger(), joined, now_ >= retry_at_)) return false;

@@ -76,7 +76,6 @@ class TeamMember::Core {
   // selling.cpp
   void sell();
   std::set<MemberNumber> present() const;
-  bool is_listening() const;
   bool is_to_sell(const std::set<MemberNumber>& here) const;
   Lot sound_lot();
   ToAuctioneer answer(const ToMember& call);

@@ -71,10 +71,6 @@ bool together(const Uav& uav, const Goal& goal, const Uav& other, double id) {
   return false;
 }
 
-}  // namespace
-
-namespace {
-
 bool never_come(const History& history, const Uav& uav, const Goal& goal,
                 std::set<std::string>& asked_before);
 

@@ -11,17 +11,16 @@ namespace skein::htn {
 
 namespace {
 
-constexpr int kDeepestNetwork = kDeepestNesting;  // the reader refuses more
-
 /// Reads the tasks of a problem; variables are numbered by name.
 class NetworkReader {
  public:
   explicit NetworkReader(TermStore& store) : store_(store) {}
 
-  TaskNetwork read(Expression expression, int depth = 0) {
+  /// The reader of files refuses what is nested deeper.
+  TaskNetwork read(Expression expression, std::uint32_t depth = 0) {
     TaskNetwork network;
     std::vector<Expression> all = parts(expression);
-    if (all.empty() || depth > kDeepestNetwork) return network;
+    if (all.empty() || depth > kDeepestNesting) return network;
     const std::string_view name = word(all.front());
     if (name == ":ordered" || name == ":unordered" || (*all.front()).list) {
       if (name == ":unordered") network.kind = NetworkKind::kUnordered;

@@ -38,7 +38,7 @@ Read<std::variant<mission::UnitMission, mission::CancelGoals>> from_wire(
     const wire::MissionRequest& request);
 
 wire::DegreeCommand to_wire(const mission::ChangeDegree& change, const std::string& asked_by);
-/// Refuses degrees that are not implemented.
+/// Refuses degrees other than 1 to 5.
 Read<mission::ChangeDegree> from_wire(const wire::DegreeCommand& command);
 
 /// Levels beyond ±1e9 m, infinity too, are sent as ±1e9 m and come back as infinity.
@@ -59,8 +59,7 @@ wire::MissionOutcome to_wire(const std::string& uav, const mission::MissionOutco
 mission::MissionOutcome from_wire(const wire::MissionOutcome& outcome);
 
 wire::HandOver to_wire(const std::string& uav, const mission::HandOver& hand_over);
-/// Refuses degrees that are not implemented, and tasks that are finished or not in the order of
-/// their ids.
+/// Refuses degrees other than 1 to 5, and tasks that are finished or not in the order of their ids.
 Read<mission::HandOver> from_wire(const wire::HandOver& hand_over);
 
 wire::Decision to_wire(const std::string& uav, const mission::Decision& decision);
