@@ -41,6 +41,19 @@ std::vector<executive::TaskStatus> safe_waits(Core& core) {
   return waits;
 }
 
+/// Of what the UAV does nothing needs the vehicle where it stays. Below degree 4 it is where its
+/// operator has put it.
+bool has_nothing_to_do(Core& core) {
+  if (!mission::deliberates(core.degree())) return false;
+  const auto tasks = core.execution().tasks();
+  if (core.vehicle().under_way().size() > safe_waits(core).size()) return false;
+  return std::none_of(tasks.begin(), tasks.end(), [&](const executive::TaskStatus& one) {
+    const bool waits = one.state == executive::TaskState::kScheduled;
+    if (waits || is_terminal(one.state) || one.id >= executive::kFirstBackgroundId) return false;
+    return !waits_safely(core, one) && !waits_for_partners(core, one);
+  });
+}
+
 /// Another one waits for it to leave where it stays: somewhere in all that it had, when it circles
 /// since it was stopped.
 bool is_in_the_way(const merging::Merger& merger, bool somewhere) {
@@ -91,7 +104,8 @@ Airways ordered(Airways aside, bool only_leading, const Leads& leads) {
 void Merging::look_for_room() {
   const MissionTime now = core_.bus().now();
   if (waiting_) return leave_pad();
-  if (!has_nothing_to_do() || !is_in_the_way(*merger_, !rest_)) return room_since_.reset();
+  const bool could = vehicle_.stays() && has_nothing_to_do(core_);
+  if (!could || !is_in_the_way(*merger_, !vehicle_.rest())) return room_since_.reset();
   if (!room_since_) room_since_ = now;
   if (now < *room_since_ + kMakesRoom) return;
   const std::vector<executive::TaskStatus> waits = safe_waits(core_);
@@ -103,9 +117,7 @@ void Merging::look_for_room() {
   }
   room_since_ = now;
   if (aside.empty()) return;
-  waiting_.emplace();
-  waiting_->request = aside.front().request;
-  waiting_->since = waiting_->said = now;
+  waiting_ = waiting_since(now, aside.front().request);
   waiting_->aside_since = now;
   waiting_->makes_room = true;
   want(std::move(aside));
@@ -115,7 +127,7 @@ void Merging::look_for_room() {
 /// off or land: it gets out of the way as if there were a circle. Who is to land there goes first.
 void Merging::leave_pad() {
   const bool could = !waiting_->airways.empty() && !waiting_->aside_since &&
-                     !waiting_->comes_back && waiting_->request.type != "land" && stays();
+                     !waiting_->comes_back && waiting_->request.type != "land" && vehicle_.stays();
   if (!could || !is_over_a_pad(*merger_, *core_.config().merging->terrain))
     return room_since_.reset();
   const MissionTime now = core_.bus().now();
@@ -125,31 +137,12 @@ void Merging::leave_pad() {
   carry_out(merging::MoveAside{{core_.config().uav}, false});
 }
 
-/// In the air, at one place, or where it circles since it was stopped.
-bool Merging::stays() const {
-  const bool circles = flown_ && flown_->over && !margins_.hovers;
-  return seen_.state.airborne && (circles || (!flown_ && rest_));
-}
-
-/// Of what it does nothing needs the vehicle where it is. Below degree 4 it is where its operator
-/// has put it.
-bool Merging::has_nothing_to_do() const {
-  if (!stays() || !mission::deliberates(core_.degree())) return false;
-  const auto tasks = core_.execution().tasks();
-  if (core_.vehicle().under_way().size() > safe_waits(core_).size()) return false;
-  return std::none_of(tasks.begin(), tasks.end(), [&](const executive::TaskStatus& one) {
-    const bool waits = one.state == executive::TaskState::kScheduled;
-    if (waits || is_terminal(one.state) || one.id >= executive::kFirstBackgroundId) return false;
-    return !waits_safely(core_, one) && !waits_for_partners(core_, one);
-  });
-}
-
 /// To where nobody wants to go; when that gave it no air, also higher up, and to where neither the
 /// circle nor whoever waits for it wants to go: others wait for it a little longer.
 void Merging::carry_out(const merging::MoveAside& move) {
-  if (!waiting_ || waiting_->airways.empty() || !stays()) return;
+  if (!waiting_ || waiting_->airways.empty() || !vehicle_.stays()) return;
   const bool again = waiting_->aside_since.has_value();
-  const world::Vector3 place = place_.value_or(rest_.value_or(seen_.state.position));
+  const world::Vector3 place = place_.value_or(vehicle_.place());
   const merging::Volumes ends = merger_->ends();
   const auto leads = [&](const Airway& one) {
     return leads_on(one, waiting_->request, place, ends, *core_.config().merging, situation());
@@ -176,9 +169,9 @@ Airways Merging::places_aside(const merging::Volumes& taken, const std::vector<d
 
 std::optional<world::Vector3> Merging::way_home_begins() const {
   if (!merger_ || merger_->can_ask() || home_.choices().empty()) return std::nullopt;
-  const bool flies = flown_ && !flown_->over && flown_->airway.way;
-  const bool of_a_task = flies && (flies_portion() || flown_->airway.request.id < kFirstAside);
-  return of_a_task ? flown_->airway.end : std::nullopt;
+  if (!vehicle_.flies() || !vehicle_.flown()->airway.way) return std::nullopt;
+  const Airway& flight = vehicle_.flown()->airway;
+  return flies_portion() || flight.request.id < kFirstAside ? flight.end : std::nullopt;
 }
 
 std::function<bool(const world::Vector3&)> Merging::free_to_stay() const {

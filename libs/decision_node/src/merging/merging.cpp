@@ -15,29 +15,17 @@ namespace skein::decision_node {
 
 namespace {
 
-constexpr Duration kSaidAgain = Duration::milliseconds(10'000);
 constexpr Duration kStale = Duration::milliseconds(3'000);     ///< beliefs of the vehicle may be
-constexpr Duration kAside = Duration::milliseconds(3'000);     ///< a place aside is had in
 constexpr Duration kUnasked = Duration::milliseconds(10'000);  ///< after the energy is short
-/// A role's way is flown higher than it asked for once it has waited so long.
-constexpr Duration kRises = Duration::milliseconds(10'000);
 /// Who waits for it longer gives it up: as a rule it is its partner that stays there and waits for
 /// it to come.
 constexpr Duration kRoleWaits = Duration::milliseconds(240'000);
 /// A way of the plan that is waited for longer is given up: the plan has something else to do, or
 /// somebody else can. Who waits has pressed for two minutes then.
 constexpr Duration kPlanWaits = Duration::milliseconds(360'000);
-/// Who has waited so long for others to leave looks for a way around them, and so often again.
-constexpr Duration kLooksAround = Duration::milliseconds(15'000);
-constexpr double kAtRest = 0.5;  // [m/s]
 
 bool is_aside(functional::TaskId task) {
   return task >= kFirstAside && task < functional::kFirstBackgroundId;
-}
-
-/// Also of one that the ground station plays.
-bool is_of_role(const functional::Request& request) {
-  return request.id >= functional::kFirstPlayedId && request.id < functional::kFirstOwnId;
 }
 
 /// A takeoff or a way of the plan's that something else could come before, or somebody else could
@@ -84,13 +72,37 @@ bool at_any_height(Core& core, const functional::Request& request, bool asked_lo
   });
 }
 
+/// What it flew aside for is given up, and this needs it to stand still: once it is there.
+bool waits_for_flight(const functional::Request& request, const VehicleAir& vehicle) {
+  return vehicle.flies() && is_aside(vehicle.flown()->airway.request.id) &&
+         functional::TaskTypes::shipped().of(request.type).holds_vehicle();
+}
+
+/// To `place`, from where it got out of the way, before it does this there.
+bool is_to_come_back(const std::optional<world::Vector3>& place, const functional::Request& request,
+                     const VehicleAir& vehicle, const merging::Margins& margins) {
+  if (!place || !vehicle.state().airborne || !is_done_in_place(request)) return false;
+  return (*place - vehicle.place()).norm() > margins.settled;
+}
+
+/// To the executive, which has the motion running already if it is a sweep's next portion.
+void say_it_comes(Core& core, Waiting& waiting, const std::optional<Portions>& portions) {
+  waiting.said = core.bus().now();
+  if (portions && portions->running) return;
+  core.post_status({waiting.request.id, functional::TaskState::kStarted, "waits for its air"});
+}
+
+merging::Margins cruising(const std::optional<MergingConfig>& config) {
+  if (!config) return {};
+  return merging::margins_of(config->model, config->wind, config->model.cruise_speed);
+}
+
 }  // namespace
 
-Merging::Merging(Core& core) : core_(core), home_(core) {
+Merging::Merging(Core& core) : core_(core), home_(core), margins_(cruising(core.config().merging)) {
   const auto& config = core.config().merging;
   if (!config) return;
   merger_.emplace(config->members, core.config().uav, merging::Limits{}, config->witness);
-  margins_ = merging::margins_of(config->model, config->wind, config->model.cruise_speed);
 }
 
 // ---- motions ----
@@ -98,14 +110,14 @@ Merging::Merging(Core& core) : core_(core), home_(core) {
 bool Merging::takes(const functional::Request& request) {
   // Whoever asks for it once more, as another executive that takes it over does, is told by the
   // vehicle how far it is.
-  if (!merger_ || (flown_ && flown_->flies(request.id))) return false;
+  if (!merger_ || vehicle_.flies(request.id)) return false;
   if (flies_portion() && portions_->task() == request.id) {
     if (portions_->running) core_.post_status({request.id, functional::TaskState::kRunning, ""});
     return true;
   }
   if (waiting_ && waiting_->makes_room) stop_waiting();
   if (waiting_ && waiting_->request.id == request.id) {
-    say_it_has_begun();
+    say_it_comes(core_, *waiting_, portions_);
     return true;
   }
   // The vehicle cannot tell: it was not given the other yet.
@@ -114,29 +126,18 @@ bool Merging::takes(const functional::Request& request) {
                        "another motion waits for its air: " + waiting_->request.type});
     return true;
   }
-  const bool once_there = flown_ && flown_->is_waited_for_by(request);
-  if (!needs_air(request) && !once_there && !is_to_come_back(request)) return false;
-  wait_for(request);
+  if (!needs_air(request) && !waits_for_flight(request, vehicle_) &&
+      !is_to_come_back(place_, request, vehicle_, margins_))
+    return false;
+  waiting_ = waiting_since(core_.bus().now(), request);
   ask();
   return true;
-}
-
-void Merging::wait_for(functional::Request request) {
-  waiting_.emplace();
-  waiting_->request = std::move(request);
-  waiting_->since = waiting_->said = core_.bus().now();
-  waiting_->looks_around = waiting_->since + kLooksAround;
 }
 
 /// A portion of a sweep is flown as it is.
 bool Merging::may_be_raised(bool asked_long) const {
   const bool portion = portions_ && portions_->task() == waiting_->request.id;
   return !portion && at_any_height(core_, waiting_->request, asked_long);
-}
-
-bool Merging::Flown::is_waited_for_by(const functional::Request& request) const {
-  return !over && is_aside(airway.request.id) &&
-         functional::TaskTypes::shipped().of(request.type).holds_vehicle();
 }
 
 bool Merging::drop(functional::TaskId task) {
@@ -148,23 +149,18 @@ bool Merging::drop(functional::TaskId task) {
 }
 
 void Merging::stop_waiting() {
-  if (!waiting_->noted_for.empty()) note("given-up", nullptr);
+  if (!waiting_->noted_for.empty()) waiting_->note(core_.bus(), "given-up", nullptr);
   waiting_.reset();
   give(merging::Withdraw{});
 }
 
-bool Merging::is_to_come_back(const functional::Request& request) const {
-  if (!place_ || !seen_.state.airborne || !is_done_in_place(request)) return false;
-  return (*place_ - rest_.value_or(seen_.state.position)).norm() > margins_.settled;
-}
-
 /// From where it is now: as often as it waits anew.
 void Merging::ask() {
-  if (!waiting_ || !has_seen_ || (flown_ && !flown_->over)) return;
+  if (!waiting_ || !vehicle_.is_seen() || vehicle_.flies()) return;
   if (waiting_->makes_room) return stop_waiting();
   waiting_->comes_back = false;
-  waiting_->asked_long = core_.bus().now() >= waiting_->since + kRises;
-  if (is_to_come_back(waiting_->request)) {
+  waiting_->asked_long = waiting_->is_long(core_.bus().now());
+  if (is_to_come_back(place_, waiting_->request, vehicle_, margins_)) {
     if (Airways back = flights_to(*place_, aside_, *core_.config().merging, situation());
         !back.empty()) {
       aside_ = functional::TaskId(aside_.value() + 1);
@@ -183,19 +179,15 @@ void Merging::ask() {
   cut();
   auto airways = airways_of(waiting_->request, may_be_raised(waiting_->asked_long),
                             *core_.config().merging, situation());
-  if (!airways) return cannot_fly(airways.error().why);
-  for (Airway& home : home_.flights(waiting_->request, rest_)) airways->push_back(std::move(home));
+  if (!airways) {  // perhaps the vehicle is not what it was thought to be: it is looked at again
+    waiting_->cannot(airways.error().why);
+    return give(merging::Withdraw{});
+  }
+  for (Airway& home : home_.flights(waiting_->request, vehicle_.rest()))
+    airways->push_back(std::move(home));
   waiting_->why_not.clear();
   waiting_->aside_since.reset();
   want(std::move(*airways));
-}
-
-/// Perhaps the vehicle is not what it was thought to be: it is looked at once more.
-void Merging::cannot_fly(const std::string& why) {
-  waiting_->why_not = why;
-  waiting_->airways.clear();
-  waiting_->aside_since.reset();
-  give(merging::Withdraw{});
 }
 
 void Merging::want(Airways airways, merging::Volumes afterwards) {
@@ -215,13 +207,14 @@ void Merging::refuse(std::string why, functional::AbortCause cause) {
 }
 
 void Merging::begin(const Airway& airway, const std::string& state) {
-  note(state, &airway);
+  waiting_->note(core_.bus(), state, &airway);
   const bool aside = waiting_->aside_since.has_value();
-  flown_ = Flown{airway, false, false};
-  if (!aside && !waiting_->comes_back) take_portion(flown_->airway.request);
-  if (aside && !place_) place_ = rest_;
+  Flown flight{airway};
+  if (!aside && !waiting_->comes_back) take_portion(flight.airway.request);
+  if (aside && !place_) place_ = vehicle_.rest();
   if (!aside && !waiting_->comes_back) place_.reset();
-  rest_.reset();
+  functional::Request request = flight.airway.request;
+  vehicle_.begin(std::move(flight));
   if (waiting_->makes_room || (!aside && !waiting_->comes_back)) {
     waiting_.reset();
   } else {
@@ -231,17 +224,18 @@ void Merging::begin(const Airway& airway, const std::string& state) {
     waiting_->noted_for.clear();
   }
   hold();
-  core_.vehicle().begin(flown_->airway.request);
+  core_.vehicle().begin(std::move(request));
 }
 
 bool Merging::told(const functional::Status& status) {
   if (!merger_) return false;
   const bool of_portion = portions_ && portions_->flown == status.id;
-  if (of_portion && !functional::is_terminal(status.state)) portion_runs(status);
-  if (flown_ && flown_->airway.request.id == status.id && functional::is_terminal(status.state)) {
-    flown_->over = true;
-    flown_->ended = status.state == functional::TaskState::kEnded;
-    come_to_rest();
+  if (of_portion && portions_->begins_to_run(status))
+    core_.post_status({portions_->task(), functional::TaskState::kRunning, ""});
+  const std::optional<Flown>& flown = vehicle_.flown();
+  if (flown && flown->airway.request.id == status.id && functional::is_terminal(status.state)) {
+    vehicle_.over(status.state == functional::TaskState::kEnded);
+    if (vehicle_.come_to_rest()) hold();
     if (of_portion) portion_over(status);
     if (waiting_ && waiting_->airways.empty()) ask();
   }
@@ -252,14 +246,9 @@ bool Merging::told(const functional::Status& status) {
 
 void Merging::vehicle_told(const world::Telemetry& telemetry) {
   if (!merger_) return;
-  const bool first = !has_seen_;
-  seen_ = telemetry;
-  has_seen_ = true;
-  const bool airborne = telemetry.state.airborne;
-  if (first && airborne) rest_ = telemetry.state.position;
-  if (airborne && flown_ && !flown_->over && flown_->passed(telemetry.state.position)) hold();
+  if (vehicle_.see(telemetry.state)) hold();
   ask_ahead();
-  come_to_rest();
+  if (vehicle_.come_to_rest()) hold();
   look_for_room();
   if (!waiting_) return;
   if (waiting_->airways.empty()) ask();
@@ -268,38 +257,12 @@ void Merging::vehicle_told(const world::Telemetry& telemetry) {
   look_at_energy();
 }
 
-/// What it flew is given back once it holds where it was to end, or stands still after it was
-/// stopped. One that circles keeps all that it had when it was stopped: nobody knows where.
-void Merging::come_to_rest() {
-  const world::VehicleState& state = seen_.state;
-  const bool flies = flown_ && !flown_->over;
-  if (!state.airborne && !flies) {
-    flown_.reset();
-    rest_.reset();
-    return hold();
-  }
-  if (!flown_ || flies || !state.airborne) return hold();
-  const bool there = flown_->ended && flown_->airway.end &&
-                     (*flown_->airway.end - state.position).norm() <= margins_.settled;
-  const bool still = margins_.hovers && state.velocity.norm() <= kAtRest;
-  const bool circles = !margins_.hovers && flown_->ended && flown_->airway.end;
-  if (!there && !still && !circles) return;
-  rest_ = there || circles ? *flown_->airway.end : state.position;
-  flown_.reset();
-  hold();
-}
-
 void Merging::hold() {
-  merging::Volumes air;
-  if (flown_) {
-    air = flown_->air();
-  } else if (rest_) {
-    air = {stay_at(*rest_, margins_)};
-  }
+  merging::Volumes air = vehicle_.air();
   if (portions_ && portions_->ahead)
     air.insert(air.end(), portions_->ahead->air.begin(), portions_->ahead->air.end());
   if (air != merger_->held()) give(merging::Hold{std::move(air)});
-  const auto rest = flown_ && !flown_->over ? flown_->airway.end : rest_;
+  const auto rest = vehicle_.rests_next();
   if (!home_.is_new(rest)) return;
   home_.look(rest, situation());
   give(merging::Need{home_.choices()});
@@ -312,7 +275,7 @@ void Merging::look_for_way_around() {
   const auto from = waiting_ ? waiting_->looks_around_from() : std::nullopt;
   if (!from || core_.bus().now() < *from) return;
   waiting_->looks_around = core_.bus().now() + kLooksAround;
-  const bool could = seen_.state.airborne && core_.deliberation().possible();
+  const bool could = vehicle_.state().airborne && core_.deliberation().possible();
   if (!could || merger_->awaited().empty() || !may_be_raised(waiting_->asked_long)) return;
   auto airways = airways_of(waiting_->request, true, *core_.config().merging, situation());
   if (!airways || airways->empty()) return;
@@ -323,7 +286,7 @@ void Merging::look_for_way_around() {
   if (!around) return;
   const double home = supervisor::least_to_come_home(*core_.config().knowledge, *world,
                                                      core_.bus().now(), *around->end);
-  if (around->energy + home > seen_.state.energy) return;
+  if (around->energy + home > vehicle_.state().energy) return;
   airways->push_back(std::move(*around));
   want(std::move(*airways));
 }
@@ -331,12 +294,12 @@ void Merging::look_for_way_around() {
 /// Whoever can wait no longer goes, and says so: that it falls is no better.
 void Merging::look_at_energy() {
   const Deliberation& deliberation = core_.deliberation();
-  if (!waiting_ || waiting_->airways.empty() || waiting_->aside_since || !seen_.state.airborne)
-    return;
+  const world::VehicleState& seen = vehicle_.state();
+  if (!waiting_ || waiting_->airways.empty() || waiting_->aside_since || !seen.airborne) return;
   if (flies_portion()) return;
   if (core_.bus().now() < waiting_->since + kUnasked || core_.config().knowledge == nullptr) return;
-  if (!supervisor::must_come_home(seen_.state.energy, *core_.config().knowledge,
-                                  *deliberation.world(), core_.bus().now(), seen_.state.position))
+  if (!supervisor::must_come_home(seen.energy, *core_.config().knowledge, *deliberation.world(),
+                                  core_.bus().now(), seen.position))
     return;
   core_.bus().emit(Notice{"flies unasked: its energy lasts no longer than to come home; " +
                           waiting_->request.type + " waited for its air"});
@@ -344,33 +307,16 @@ void Merging::look_at_energy() {
   begin(Airway(waiting_->airways.front()), "unasked");
 }
 
-/// At once when others stand in its way; other reasons not more often than every few seconds.
-void Merging::note_waits() {
-  if (waiting_->waits_for == waiting_->noted_for) return;
-  const bool soon = core_.bus().now() < waiting_->noted + kSaidAgain;
-  if (!waiting_->noted_for.empty() && waiting_->in_its_way == waiting_->noted_way && soon) return;
-  waiting_->noted = core_.bus().now();
-  waiting_->noted_for = waiting_->waits_for;
-  waiting_->noted_way = waiting_->in_its_way;
-  note("waits", nullptr);
-}
-
 void Merging::say_it_waits() {
   if (flies_portion()) return;
-  if (waiting_) note_waits();
+  if (waiting_) waiting_->note_waits(core_.bus());
   const bool asks = waiting_ && !waiting_->airways.empty();
   const auto longest = asks ? longest_wait(core_, waiting_->request) : std::nullopt;
   if (longest && core_.bus().now() >= waiting_->since + *longest)
     return refuse("others leave it no air: it waits for " + joined(waiting_->waits_for, "; "),
                   functional::AbortCause::kNoAir);
   if (!waiting_ || core_.bus().now() < waiting_->said + kSaidAgain) return;
-  say_it_has_begun();
-}
-
-void Merging::say_it_has_begun() {
-  waiting_->said = core_.bus().now();
-  if (portions_ && portions_->running) return;
-  core_.post_status({waiting_->request.id, functional::TaskState::kStarted, "waits for its air"});
+  say_it_comes(core_, *waiting_, portions_);
 }
 
 void Merging::time_passes() {
@@ -393,21 +339,7 @@ std::optional<MissionTime> Merging::next_wakeup() const {
   next = earliest(next, waiting_->said + kSaidAgain);
   next = earliest(next, waiting_->rises_from());
   next = earliest(next, waiting_->looks_around_from());
-  return flown_ ? next : earliest(next, waiting_->aside_until());
-}
-
-std::optional<MissionTime> Merging::Waiting::rises_from() const {
-  const bool asks = !airways.empty() && !aside_since && !comes_back && !asked_long;
-  return asks && is_of_role(request) ? std::optional(since + kRises) : std::nullopt;
-}
-
-std::optional<MissionTime> Merging::Waiting::looks_around_from() const {
-  const bool asks = !airways.empty() && !aside_since && !comes_back;
-  return asks ? std::optional(looks_around) : std::nullopt;
-}
-
-std::optional<MissionTime> Merging::Waiting::aside_until() const {
-  return aside_since ? std::optional(*aside_since + kAside) : std::nullopt;
+  return vehicle_.flown() ? next : earliest(next, waiting_->aside_until());
 }
 
 // ---- others ----
@@ -440,8 +372,8 @@ void Merging::tell_orders() {
   const bool has_begun = portions_ && portions_->running;
   if (waiting_ && !has_begun) seen.for_others = merger_->awaited();
   if (!seen.for_others.empty()) seen.waits = waiting_->request.id;
-  if (flown_ && !flown_->over)
-    seen.flies = flies_portion() ? portions_->task() : flown_->airway.request.id;
+  if (vehicle_.flies())
+    seen.flies = flies_portion() ? portions_->task() : vehicle_.flown()->airway.request.id;
   for (const merging::Merger::Waiter& one : merger_->waiters())
     (one.for_its_place ? seen.for_its_place : seen.for_its_way).push_back(one.peer);
   if (seen == orders_) return;
@@ -469,31 +401,19 @@ void Merging::carry_out(const merging::Waits& waits) {
     waiting_->waits_for = std::move(now_for);
     waiting_->in_its_way = merger_->in_its_way();
   }
-  if (!flies_portion()) note_waits();
+  if (!flies_portion()) waiting_->note_waits(core_.bus());
 }
 
 // ---- what it knows ----
 
 AirwaySituation Merging::situation() const {
   const bool believes = core_.deliberation().possible();
-  return {seen_.state,
-          rest_,
+  return {vehicle_.state(),
+          vehicle_.rest(),
           waiting_ && waiting_->was_aside,
           false,
           believes ? core_.deliberation().world()->volumes : core_.config().merging->volumes,
           core_.bus().now()};
-}
-
-void Merging::note(const std::string& state, const Airway* airway) {
-  AirNoted noted{waiting_->request.id, waiting_->request.type, state, {}, 0, {}, {}};
-  noted.waited = core_.bus().now() - waiting_->since;
-  if (airway == nullptr) {
-    noted.waits_for = waiting_->waits_for;
-  } else {
-    noted.raised = airway->raised;
-    noted.air = airway->air;
-  }
-  core_.bus().emit(std::move(noted));
 }
 
 }  // namespace skein::decision_node

@@ -92,6 +92,11 @@ functional::Request Portions::next(const std::optional<Vector3>& by) const {
   return request;
 }
 
+bool Portions::begins_to_run(const functional::Status& status) {
+  const bool runs = status.state == functional::TaskState::kRunning;
+  return runs && !std::exchange(running, true);
+}
+
 bool Portions::is_near_end(double left) const { return left <= kAsksAhead * speed_; }
 
 }  // namespace skein::decision_node

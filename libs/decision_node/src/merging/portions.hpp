@@ -32,6 +32,9 @@ class Portions {
   /// True: with `left` [m] of the current portion to fly, it is time to ask for the next one.
   bool is_near_end(double left) const;
 
+  /// Notes that the sweep runs; true: for the first time, with this status of a portion.
+  bool begins_to_run(const functional::Status& status);
+
   std::optional<functional::TaskId> flown = {};  ///< number of the portion that the vehicle flies
   bool running = false;                          ///< the executive was told that the task runs
   std::optional<Airway> ahead = {};              ///< the next portion, once its air is granted

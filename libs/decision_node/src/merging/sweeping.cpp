@@ -18,7 +18,7 @@ void Merging::cut() {
   portions_.reset();
   if (may_be_raised(true)) return;
   const auto task = flight_of(flight, *core_.config().merging, situation());
-  if (task) portions_ = Portions::of(flight, *task, seen_.state.position, 2 * margins_.way);
+  if (task) portions_ = Portions::of(flight, *task, vehicle_.state().position, 2 * margins_.way);
   if (portions_) flight = portions_->next();
 }
 
@@ -33,30 +33,25 @@ void Merging::take_portion(functional::Request& flight) {
 }
 
 bool Merging::flies_portion() const {
-  return portions_ && portions_->flown && flown_ && flown_->flies(*portions_->flown);
-}
-
-void Merging::portion_runs(const functional::Status& status) {
-  if (status.state != functional::TaskState::kRunning || portions_->running) return;
-  portions_->running = true;
-  core_.post_status({portions_->task(), functional::TaskState::kRunning, ""});
+  return portions_ && portions_->flown && vehicle_.flies(*portions_->flown);
 }
 
 /// So early that it has the next portion, as a rule, before it would stop.
 void Merging::ask_ahead() {
   if (!flies_portion() || waiting_ || portions_->ahead || portions_->stopped) return;
-  if (!portions_->is_near_end(flown_->airway.way->length_left())) return;
-  AirwaySituation there = resting_at(situation(), *flown_->airway.end);
+  const Airway& flight = vehicle_.flown()->airway;
+  if (!portions_->is_near_end(flight.way->length_left())) return;
+  AirwaySituation there = resting_at(situation(), *flight.end);
   there.passing = true;
   auto airways = airways_of(portions_->next(), false, *core_.config().merging, there);
   if (!airways) return;  // as it will be refused there
-  wait_for(portions_->next());
+  waiting_ = waiting_since(core_.bus().now(), portions_->next());
   want(std::move(*airways));
 }
 
 void Merging::had_ahead(Airway airway) {
   waiting_->since = core_.bus().now();
-  note("ahead", &airway);
+  waiting_->note(core_.bus(), "ahead", &airway);
   portions_->ahead = std::move(airway);
   waiting_.reset();
   hold();
@@ -69,7 +64,10 @@ void Merging::portion_over(const functional::Status& status) {
                        core_.own_tasks().none_open();
   if (goes_on && portions_->ahead) return fly_on();
   if (waiting_) stop_waiting();
-  if (goes_on) return wait_for(portions_->next());
+  if (goes_on) {
+    waiting_ = waiting_since(core_.bus().now(), portions_->next());
+    return;
+  }
   const functional::TaskId task = portions_->task();
   portions_.reset();
   hold();
@@ -81,14 +79,12 @@ void Merging::portion_over(const functional::Status& status) {
 void Merging::fly_on() {
   Airway next = *std::exchange(portions_->ahead, std::nullopt);
   core_.bus().emit(AirNoted{portions_->task(), next.request.type, "had", {}, 0, {}, next.air});
-  merging::Volumes behind;
-  if (flown_) behind = flown_->air();
-  if (rest_) behind = {stay_at(*rest_, margins_)};
-  flown_ = Flown{std::move(next), false, false, std::move(behind)};
-  take_portion(flown_->airway.request);
-  rest_.reset();
+  Flown flight{std::move(next), false, false, vehicle_.air()};
+  take_portion(flight.airway.request);
+  functional::Request request = flight.airway.request;
+  vehicle_.begin(std::move(flight));
   hold();
-  core_.vehicle().begin(flown_->airway.request);
+  core_.vehicle().begin(std::move(request));
 }
 
 std::optional<functional::TaskId> Merging::stop_portions(functional::TaskId task) {
@@ -98,19 +94,6 @@ std::optional<functional::TaskId> Merging::stop_portions(functional::TaskId task
   if (waiting_) stop_waiting();
   hold();
   return portions_->flown;
-}
-
-merging::Volumes Merging::Flown::air() const {
-  merging::Volumes all = behind;
-  const merging::Volumes own = airway.way ? airway.way->left() : airway.air;
-  all.insert(all.end(), own.begin(), own.end());
-  return all;
-}
-
-bool Merging::Flown::passed(const world::Vector3& position) {
-  if (!airway.way || !airway.way->passed(position)) return false;
-  if (!airway.way->is_whole()) behind.clear();
-  return true;
 }
 
 }  // namespace skein::decision_node

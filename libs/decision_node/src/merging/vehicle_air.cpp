@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "merging/vehicle_air.hpp"
+
+#include <utility>
+
+namespace skein::decision_node {
+
+namespace {
+
+constexpr double kAtRest = 0.5;  // [m/s]
+
+}  // namespace
+
+merging::Volumes Flown::air() const {
+  merging::Volumes all = behind;
+  const merging::Volumes own = airway.way ? airway.way->left() : airway.air;
+  all.insert(all.end(), own.begin(), own.end());
+  return all;
+}
+
+bool Flown::passed(const world::Vector3& position) {
+  if (!airway.way || !airway.way->passed(position)) return false;
+  if (!airway.way->is_whole()) behind.clear();
+  return true;
+}
+
+const world::VehicleState& VehicleAir::state() const {
+  static const world::VehicleState kUnseen;
+  return seen_ ? *seen_ : kUnseen;
+}
+
+bool VehicleAir::see(const world::VehicleState& state) {
+  if (!seen_ && state.airborne) rest_ = state.position;
+  seen_ = state;
+  return state.airborne && flies() && flown_->passed(state.position);
+}
+
+void VehicleAir::begin(Flown flown) {
+  flown_ = std::move(flown);
+  rest_.reset();
+}
+
+void VehicleAir::over(bool ended) {
+  flown_->over = true;
+  flown_->ended = ended;
+}
+
+bool VehicleAir::come_to_rest() {
+  const bool airborne = state().airborne;
+  if (!airborne && !flies()) {
+    flown_.reset();
+    rest_.reset();
+    return true;
+  }
+  if (!flown_ || flies() || !airborne) return true;
+  const auto end = flown_->ended ? flown_->airway.end : std::nullopt;
+  const bool there = end && (*end - state().position).norm() <= margins_.settled;
+  const bool still = margins_.hovers && state().velocity.norm() <= kAtRest;
+  const bool circles = !margins_.hovers && end;
+  if (!there && !still && !circles) return false;
+  rest_ = there || circles ? *end : state().position;
+  flown_.reset();
+  return true;
+}
+
+bool VehicleAir::stays() const {
+  const bool circles = flown_ && flown_->over && !margins_.hovers;
+  return state().airborne && (circles || (!flown_ && rest_));
+}
+
+merging::Volumes VehicleAir::air() const {
+  if (flown_) return flown_->air();
+  return rest_ ? merging::Volumes{stay_at(*rest_, margins_)} : merging::Volumes();
+}
+
+}  // namespace skein::decision_node

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the vehicle flies or where it rests, and the air that it has for that.
+#pragma once
+
+#include <optional>
+
+#include "merging/airways.hpp"
+#include "skein/functional/port.hpp"
+#include "skein/merging/margins.hpp"
+
+namespace skein::decision_node {
+
+/// A flight of the vehicle: under way, or the last one from which it has not come to rest.
+struct Flown {
+  Airway airway;
+  bool over = false, ended = false;
+  /// Air of the preceding portion, from which it came without a stop, until it has left a part of
+  /// this one.
+  merging::Volumes behind = {};
+
+  merging::Volumes air() const;
+  /// Notes the vehicle's position; true: it has left more of its way.
+  bool passed(const world::Vector3& position);
+  bool flies(functional::TaskId task) const { return !over && airway.request.id == task; }
+};
+
+/// Follows the vehicle by its telemetry and by the flights that it is given.
+class VehicleAir {
+ public:
+  /// `cruising`: margins at cruise speed.
+  explicit VehicleAir(const merging::Margins& cruising) : margins_(cruising) {}
+
+  /// True: it has left more of its way.
+  bool see(const world::VehicleState& state);
+  void begin(Flown flown);
+  /// The flight is over; `ended`: as it was meant to.
+  void over(bool ended);
+  /// Ends a flight that is over once the vehicle holds where it was to end, or stands still after
+  /// it was stopped. A vehicle that circles keeps all of its way when it is stopped: nobody knows
+  /// where it circles. False: it has not come to rest.
+  bool come_to_rest();
+
+  bool is_seen() const { return seen_.has_value(); }
+  /// Before it is seen: the state of a vehicle on the ground at the origin.
+  const world::VehicleState& state() const;
+  /// Where it hovers or circles in the air; nothing: it flies, or is on the ground.
+  const std::optional<world::Vector3>& rest() const { return rest_; }
+  /// Its place in the air: where it rests, else where it is.
+  world::Vector3 place() const { return rest_.value_or(state().position); }
+  const std::optional<Flown>& flown() const { return flown_; }
+  bool flies() const { return flown_ && !flown_->over; }
+  bool flies(functional::TaskId task) const { return flown_ && flown_->flies(task); }
+  /// In the air at one place, or on a circle somewhere since it was stopped.
+  bool stays() const;
+  /// The air that it has now.
+  merging::Volumes air() const;
+  /// Where it will rest in the air; nothing: on the ground.
+  std::optional<world::Vector3> rests_next() const { return flies() ? flown_->airway.end : rest_; }
+
+ private:
+  merging::Margins margins_;
+  std::optional<world::VehicleState> seen_;
+  std::optional<world::Vector3> rest_;
+  std::optional<Flown> flown_;
+};
+
+}  // namespace skein::decision_node

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "merging/waiting.hpp"
+
+#include <utility>
+
+namespace skein::decision_node {
+
+namespace {
+
+constexpr Duration kAside = Duration::milliseconds(3'000);  ///< a place aside is had in
+/// A role's way is flown higher than it asked for once it has waited so long.
+constexpr Duration kRises = Duration::milliseconds(10'000);
+
+}  // namespace
+
+bool is_of_role(const functional::Request& request) {
+  return request.id >= functional::kFirstPlayedId && request.id < functional::kFirstOwnId;
+}
+
+Waiting waiting_since(MissionTime now, functional::Request request) {
+  Waiting waiting;
+  waiting.request = std::move(request);
+  waiting.since = waiting.said = now;
+  waiting.looks_around = now + kLooksAround;
+  return waiting;
+}
+
+bool Waiting::is_long(MissionTime now) const { return now >= since + kRises; }
+
+std::optional<MissionTime> Waiting::rises_from() const {
+  const bool asks = !airways.empty() && !aside_since && !comes_back && !asked_long;
+  return asks && is_of_role(request) ? std::optional(since + kRises) : std::nullopt;
+}
+
+std::optional<MissionTime> Waiting::looks_around_from() const {
+  const bool asks = !airways.empty() && !aside_since && !comes_back;
+  return asks ? std::optional(looks_around) : std::nullopt;
+}
+
+std::optional<MissionTime> Waiting::aside_until() const {
+  return aside_since ? std::optional(*aside_since + kAside) : std::nullopt;
+}
+
+void Waiting::cannot(const std::string& why) {
+  why_not = why;
+  airways.clear();
+  aside_since.reset();
+}
+
+void Waiting::note(Bus& bus, const std::string& state, const Airway* airway) const {
+  AirNoted noted_now{request.id, request.type, state, {}, 0, {}, {}};
+  noted_now.waited = bus.now() - since;
+  if (airway == nullptr) {
+    noted_now.waits_for = waits_for;
+  } else {
+    noted_now.raised = airway->raised;
+    noted_now.air = airway->air;
+  }
+  bus.emit(std::move(noted_now));
+}
+
+void Waiting::note_waits(Bus& bus) {
+  if (waits_for == noted_for) return;
+  const bool soon = bus.now() < noted + kSaidAgain;
+  if (!noted_for.empty() && in_its_way == noted_way && soon) return;
+  noted = bus.now();
+  noted_for = waits_for;
+  noted_way = in_its_way;
+  note(bus, "waits", nullptr);
+}
+
+}  // namespace skein::decision_node
