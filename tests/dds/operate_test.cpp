@@ -153,7 +153,9 @@ TEST_F(Operators, AMissionThatMakesNoSenseIsRefusedWithEveryReason) {
 
 TEST_F(Operators, AMissionForAUavThatIsGoneIsSaidToHaveExpired) {
   start_karma("faults: [{at: 30, kill: karma}]\n");
-  run_.wait_until("silence of Karma", [&] { return !uav("karma").value("reachable", true); });
+  const auto hears_karma = [&] { return uav("karma").value("reachable", false); };
+  run_.wait_until("word of Karma", hears_karma);
+  run_.wait_until("silence of Karma", [&] { return !hears_karma(); });
   const std::string file = write(
       "mission.yaml", "{uav: karma, id: 901, tasks: [{id: 9001, task: [general-takeoff]}]}\n");
 
