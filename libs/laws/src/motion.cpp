@@ -6,10 +6,13 @@
 
 #include "by_hand.hpp"
 #include "checks.hpp"
+#include "skein/functional/task.hpp"
 
 namespace skein::laws {
 
 namespace {
+
+constexpr auto kFirstAside = static_cast<std::int64_t>(functional::kFirstAsideId.value());
 
 std::string named(const Uav& uav, std::int64_t task, const std::string& type) {
   const std::int64_t goal = uav.goal_of_task(task);
@@ -31,12 +34,9 @@ void refused_at_once(const History& history, const Uav& uav, std::vector<Violati
   }
 }
 
-/// The vehicle's tasks from this number on are portions of a sweep (decision 68), and flights
-/// aside: those are over before the motion, which waits for its air meanwhile, runs.
-constexpr std::int64_t kFirstPortion = 4'500'000'000'000'000;
-
+/// One portion of the sweep, which the vehicle flies while the sweep itself waits for its air.
 bool is_portion(const Activity& one, const Execution& sweep) {
-  return one.task >= kFirstPortion && one.type == sweep.type && one.until > sweep.running &&
+  return one.task >= kFirstAside && one.type == sweep.type && one.until > sweep.running &&
          one.from <= sweep.over;
 }
 

@@ -25,7 +25,7 @@ constexpr Duration kRoleWaits = Duration::milliseconds(240'000);
 constexpr Duration kPlanWaits = Duration::milliseconds(360'000);
 
 bool is_aside(functional::TaskId task) {
-  return task >= kFirstAside && task < functional::kFirstBackgroundId;
+  return task >= functional::kFirstAsideId && task < functional::kFirstBackgroundId;
 }
 
 /// A takeoff or a way of the plan's that something else could come before, or somebody else could

@@ -19,9 +19,6 @@ namespace skein::decision_node {
 
 class Core;
 
-/// Flights out of the way: beyond the own tasks of Safekeeping, which nobody else may use either.
-inline constexpr functional::TaskId kFirstAside{functional::kFirstBackgroundId.value() / 2};
-
 /// The gate between those who ask for motions (executive, ground station, own tasks) and the
 /// vehicle. A motion waits until all of its air is reserved; meanwhile its executive takes it for a
 /// task that was dispatched and does not run yet, and is told repeatedly that it will come. Air
@@ -95,7 +92,7 @@ class Merging final : public Component {
       place_;  ///< where it got out of the way from, and did not come back
   std::optional<MissionTime> room_since_;   ///< another one wants to go where it stays, since then
   supervisor::AirOrders orders_;            ///< as the supervisor was told
-  functional::TaskId aside_ = kFirstAside;  ///< of the next flight out of the way
+  functional::TaskId aside_ = functional::kFirstAsideId;  ///< of the next flight out of the way
 };
 
 }  // namespace skein::decision_node

@@ -20,6 +20,9 @@ inline constexpr TaskId kFirstPlayedId{400'000'000};
 inline constexpr TaskId kFirstRoleId{500'000'000};
 /// From here on: tasks that a decision node makes to keep its vehicle safe (see decision_node).
 inline constexpr TaskId kFirstOwnId{1'000'000'000};
+/// From here on: flights that a decision node puts in front of a task's own motion, to move aside or
+/// to fly one portion of a sweep (decision 68). They are over before that motion runs.
+inline constexpr TaskId kFirstAsideId{4'500'000'000'000'000};
 /// From here on: background routines, numbered by the executive; requests must not use these ids.
 /// (All of them are below 2^53, and so exact as JSON numbers.)
 inline constexpr TaskId kFirstBackgroundId{9'000'000'000'000'000};
