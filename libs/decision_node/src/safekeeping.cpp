@@ -17,6 +17,7 @@ namespace {
 constexpr Duration kFirstPause = Duration::milliseconds(10'000);
 constexpr Duration kLongestPause = Duration::milliseconds(60'000);
 constexpr Duration kEnergyAgain = Duration::milliseconds(5'000);
+constexpr Duration kOutAgain = Duration::milliseconds(30'000);
 constexpr double kAtHome = 1;  // [m]
 
 }  // namespace
@@ -156,11 +157,12 @@ void Safekeeping::look_after(const world::Telemetry& telemetry) {
   if (!holds_) leaves_to_.reset();
   if (owed_ && core_.execution().airborne() && is_idle()) carry_out_policy();
   warned_ = warned_ && core_.execution().airborne();
-  if (!core_.execution().airborne() || !knows_world()) return;
+  if (!may_be_on_its_way() || !knows_world()) return;
+  if (core_.config().drives) return warn_of_closed_air(telemetry.state.position);
   if (!holds_) {
     warn_of_energy(telemetry);
-    if (is_left_alone()) leave_closed_air(telemetry.state.position);
-    return;
+    if (is_left_alone()) return leave_closed_air(telemetry.state.position);
+    return warn_of_closed_air(telemetry.state.position);
   }
   if (!must_return(telemetry)) return leave_closed_air(telemetry.state.position);
   core_.bus().emit(PolicyCarriedOut{ContactPolicy::kReturn,
@@ -192,6 +194,19 @@ void Safekeeping::warn_of_energy(const world::Telemetry& telemetry) {
   core_.bus().emit(PolicyCarriedOut{
       ContactPolicy::kReturn, "left in the air without a task, and its deliberation was stopped"});
   keep(ContactPolicy::kReturn);
+}
+
+// Whoever has it in hand decides where it goes. One that wavers on the border says so once.
+void Safekeeping::warn_of_closed_air(const world::Vector3& at) {
+  if (core_.deliberation().engaged()) return;
+  const MissionTime now = core_.bus().now();
+  std::erase_if(closed_around_, [&](const auto& one) { return one.second + kOutAgain < now; });
+  for (const std::string& volume : supervisor::closed_around(
+           *core_.config().knowledge, *core_.deliberation().world(), now, at)) {
+    if (closed_around_.insert_or_assign(volume, now).second)
+      core_.bus().emit(
+          Notice{"it is in air that is closed or about to be (volume '" + volume + "')"});
+  }
 }
 
 // At degree 4 no operator looks after it between two tasks.

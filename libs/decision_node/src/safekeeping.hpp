@@ -2,7 +2,9 @@
 // Keeps the vehicle safe by itself: out of contact with the ground, or interrupted in the air.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bus.hpp"
@@ -42,6 +44,7 @@ class Safekeeping {
   void come_home();
   void come_home_again();
   void leave_closed_air(const world::Vector3& at);
+  void warn_of_closed_air(const world::Vector3& at);
   void warn_of_energy(const world::Telemetry& telemetry);
   bool must_return(const world::Telemetry& telemetry) const;
   bool may_be_on_its_way() const;
@@ -63,6 +66,7 @@ class Safekeeping {
   bool owed_ = false;
   /// The warning that the energy is short was given in this flight.
   bool warned_ = false;
+  std::map<std::string, MissionTime> closed_around_;  ///< volumes, and until when it was in each
   MissionTime looked_at_energy_;
   bool holds_ = false;  ///< holds by itself, until it has to come home for its energy
 };

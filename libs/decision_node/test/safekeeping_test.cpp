@@ -394,23 +394,65 @@ TEST(LeftInTheAir, WhileItDeliberatesItsSupervisorLeavesClosedAir) {
   EXPECT_THAT(uav.news(), Not(Contains(HasSubstr("policy"))));
 }
 
-TEST(LeftInTheAir, BelowDegreeFourClosedAirIsItsOperatorsConcern) {
+const std::string kInSmoke = "notice: it is in air that is closed or about to be (volume 'smoke')";
+
+TEST(LeftInTheAir, BelowDegreeFourItTellsItsOperatorOfClosedAirAndStays) {
   KeptUav uav = left_alone({closed("smoke", {100, 0, 0}, 50, 300)}, 3);
 
-  uav.at(245);
-  uav.at(310);
-
+  uav.at(235);
   EXPECT_THAT(uav.news(), IsEmpty());
+  uav.at(245);
+  EXPECT_THAT(uav.news(), ElementsAre(kInSmoke));
+  for (const double later : {265.0, 290.0, 310.0}) uav.at(later);
+  EXPECT_THAT(uav.news(), IsEmpty()) << "once is enough";
 }
 
-TEST(LeftInTheAir, UnderATaskOfAnOperatorClosedAirIsTheirs) {
+TEST(LeftInTheAir, UnderATaskOfAnOperatorItTellsThemOfClosedAir) {
   KeptUav uav = left_alone({closed("smoke", {100, 0, 0}, 50, 300)});
   uav.command(start_of(14, "wait"));
   uav.news();
 
   uav.at(245);
 
-  EXPECT_THAT(uav.news(), IsEmpty());
+  EXPECT_THAT(uav.news(), ElementsAre(kInSmoke));
+}
+
+TEST(InAnOperatorsHand, OnlyWhoWasOutOfClosedAirForAWhileTellsOfItAgain) {
+  KeptUav uav = left_alone({closed("smoke", {100, 0, 0}, 50)}, 3);
+  const Vector3 in{100, 0, 50}, out{300, 0, 50};
+  const auto seen = [&](double seconds, const Vector3& at) {
+    uav.flies_at(at);
+    uav.at(seconds);
+    return uav.news();
+  };
+  seen(100, in);
+
+  EXPECT_THAT(seen(110, out), IsEmpty());
+  EXPECT_THAT(seen(115, in), IsEmpty()) << "wavers on the border";
+  EXPECT_THAT(seen(120, out), IsEmpty());
+  EXPECT_THAT(seen(150, out), IsEmpty());
+  EXPECT_THAT(seen(155, in), ElementsAre(kInSmoke));
+}
+
+TEST(InAnOperatorsHand, OneThatDrivesTellsOfClosedAirToo) {
+  KeptUavSetup setup = of(ContactPolicy::kHold);
+  setup.drives = true;
+  setup.volumes = {closed("smoke", {100, 0, 0}, 50)};
+  KeptUav robot(setup);
+
+  robot.flies_at({100, 0, 0});
+
+  EXPECT_THAT(robot.news(), ElementsAre(kInSmoke));
+}
+
+TEST(InAnOperatorsHand, AllVolumesAroundAreNamed) {
+  KeptUav uav = left_alone({closed("smoke", {100, 0, 0}, 50, 300), closed("far", {300, 0, 0}, 50),
+                            closed("storm", {90, 0, 0}, 60, 300)},
+                           3);
+
+  uav.at(245);
+
+  EXPECT_THAT(uav.news(), ElementsAre(kInSmoke, HasSubstr("'storm'")));
 }
 
 }  // namespace

@@ -40,19 +40,24 @@ bool climbed_then(const Uav& uav, double at, double closed) {
          });
 }
 
+bool is_on_its_own(int degree) { return degree >= 4; }
+// Degree 1 included: the decision node hears what its vehicle says at any degree.
+bool is_in_a_hand(int degree) { return degree < 4; }
+
 struct Stay {
   double from = 0, until = 0, deepest = 0;
 };
 
-// Times in a volume, at degree 4. Who waits beside one may be blown in by as much as it wavers.
-std::vector<Stay> stays_in(const Uav& uav, const Closing& closing) {
+// Times in a volume, at a degree that is judged. Who waits beside one may be blown in by as much as
+// it wavers.
+std::vector<Stay> stays_in(const Uav& uav, const Closing& closing, bool (*is_judged)(int degree)) {
   const double deep = 1 + world::tracking_spread(uav.spec->model);  // [m]
   std::vector<Stay> stays;
   bool inside = false;
   for (const Sample& sample : uav.samples) {
     const bool closed = sample.at >= closing.known && sample.at < closing.opened &&
                         sample.at < closing.volume.when.until.to_seconds();
-    const double depth = closed && uav.is_out(sample) && uav.degree(sample.at) >= 4 &&
+    const double depth = closed && uav.is_out(sample) && is_judged(uav.degree(sample.at)) &&
                                  !out_of_control(uav, sample.at)
                              ? depth_in(closing.volume, sample.position)
                              : 0;
@@ -86,7 +91,7 @@ std::vector<Violation> in_closed_air(const History& history) {
   for (const auto& [name, uav] : history.uavs) {
     if (history.was_killed(name)) continue;
     for (const Closing& closing : uav.closings) {
-      for (const Stay& stay : stays_in(uav, closing)) {
+      for (const Stay& stay : stays_in(uav, closing, is_on_its_own)) {
         const bool caught =
             stay.from <= closing.known + kNoChoice || climbed_then(uav, stay.from, closing.known);
         const double allowed = caught ? time_to_leave(uav, stay.deepest) : 0;
@@ -101,6 +106,38 @@ std::vector<Violation> in_closed_air(const History& history) {
                      : (uav.spec->model.ground ? "drives " : "flies ") + figure(stay.deepest) +
                            " m into " + where + ", for " + figure(stay.until - stay.from) + " s")});
         break;  // on waiting circles it would come again and again
+      }
+    }
+  }
+  return result;
+}
+
+namespace {
+
+// Once in a flight and for each volume is enough.
+bool was_told_of(const Uav& uav, const world::Volume& volume, double by) {
+  return std::any_of(uav.words.begin(), uav.words.end(), [&](const Word& one) {
+    return one.at <= by && one.text.find("in air that is closed") != std::string::npos &&
+           one.text.find("'" + volume.name + "'") != std::string::npos;
+  });
+}
+
+}  // namespace
+
+std::vector<Violation> closed_air_untold(const History& history) {
+  constexpr double kSoon = 10;  // [s] from when it is in there until it says so
+  std::vector<Violation> result;
+  if (!history.scenario->planning) return result;
+  for (const auto& [name, uav] : history.uavs) {
+    if (history.was_killed(name)) continue;
+    for (const Closing& closing : uav.closings) {
+      for (const Stay& stay : stays_in(uav, closing, is_in_a_hand)) {
+        if (stay.until - stay.from < kSoon || was_told_of(uav, closing.volume, stay.from + kSoon))
+          continue;
+        result.push_back({"", stay.from, name, 0,
+                          "is " + figure(stay.until - stay.from) + " s in '" + closing.volume.name +
+                              "', closed since " + figure(closing.known) +
+                              " s, in an operator's hand, and says nothing"});
       }
     }
   }

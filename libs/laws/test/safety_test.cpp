@@ -41,6 +41,24 @@ TEST(ClosedAir, WhoIsCaughtInsideLeavesWithoutDelay) {
   EXPECT_THAT(leaves_after(100), ElementsAre(HasSubstr("stays")));
 }
 
+// An operator has it in hand, who has to know.
+TEST(ClosedAir, BelowDegreeFourItIsEnoughThatTheUavSaysSo) {
+  const auto told = [](std::optional<double> when) {
+    Story story("", kClosing);
+    story.degree("marvin", 0, 3).flies("marvin", 0, 150, {150, 50, 40}, {150, 50, 40});
+    story.step(50, "close", "marvin");
+    story.says("marvin", 50, "0 user request: volume 'smoke' closed: smoke: accepted");
+    if (when)
+      story.says("marvin", *when, "it is in air that is closed or about to be (volume 'smoke')");
+    EXPECT_THAT(story.broken("closed-air"), IsEmpty());
+    return story.broken("closed-air-told");
+  };
+
+  EXPECT_THAT(told(55), IsEmpty());
+  EXPECT_THAT(told(75), ElementsAre(HasSubstr("in 'smoke', closed since 50")));
+  EXPECT_THAT(told(std::nullopt), ElementsAre(HasSubstr("says nothing")));
+}
+
 TEST(Energy, NeverBelowTheReserveInTheAir) {
   Story kept, drained;
   kept.flies("marvin", 0, 50, kOver, kOver, 0.2);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Teams that their operators fly by elementary tasks, at degrees 1 to 3, rightly and wrongly.
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "parts.hpp"
 #include "skein/foundation/joined.hpp"
@@ -86,7 +88,10 @@ class OrderDrawing {
   std::string position(std::size_t who) {
     const double height = mission_.team[who].altitude;
     const double x = random_.uniform(-100, 500), y = random_.uniform(-150, 450);
-    if (!errs()) return "[" + whole(x) + ", " + whole(y) + ", " + whole(height) + "]";
+    if (!errs()) {
+      flown_to_.emplace_back(x, y);
+      return "[" + whole(x) + ", " + whole(y) + ", " + whole(height) + "]";
+    }
     switch (random_.below(4)) {
       case 0:
         return "[" + whole(x) + ", " + whole(y) + ", -30]";  // under the ground
@@ -241,9 +246,12 @@ class OrderDrawing {
 
   // ---- what goes wrong ----
 
+  // Anywhere, or where somebody is sent to.
   void draw_air() {
     for (std::size_t n = random_.below(2); n > 0; --n) {
-      const double x = random_.uniform(100, 400), y = random_.uniform(50, 400);
+      double x = random_.uniform(100, 400), y = random_.uniform(50, 400);
+      if (!flown_to_.empty() && random_.chance(0.6))
+        std::tie(x, y) = flown_to_[random_.below(flown_to_.size())];
       const double half = random_.uniform(20, 60);
       act("close", at_any_time(), 0,
           "close_air: {name: smoke, polygon: [" + point(x - half, y - half) + ", " +
@@ -262,10 +270,11 @@ class OrderDrawing {
   Random random_;
   Kinds kinds_;
   Mission mission_;
-  std::vector<Craft> models_;         ///< of each of the team
-  std::vector<std::string> places_;   ///< on the ground
-  std::vector<std::size_t> ids_;      ///< the last task of each
-  std::vector<std::size_t> flights_;  ///< so many of each
+  std::vector<Craft> models_;                        ///< of each of the team
+  std::vector<std::string> places_;                  ///< on the ground
+  std::vector<std::pair<double, double>> flown_to_;  ///< x, y [m]
+  std::vector<std::size_t> ids_;                     ///< the last task of each
+  std::vector<std::size_t> flights_;                 ///< so many of each
   int acted_ = 0, missions_ = 0;
 };
 

@@ -16,21 +16,34 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 
+bool closes_around(const world::Volume& volume, const world::VehicleModel& vehicle, MissionTime now,
+                   const Vector3& at) {
+  return volume.when.overlaps({now, now + kWarning}) &&
+         crosses(volume, vehicle.body_radius + stay_radius(vehicle), at, at);
+}
+
 }  // namespace
 
 std::optional<WayOut> way_out(const std::shared_ptr<const Knowledge>& knowledge,
                               const std::shared_ptr<const world::World>& world, MissionTime now,
                               const Vector3& at) {
-  const double margin = knowledge->vehicle.body_radius + stay_radius(knowledge->vehicle);
   const auto around =
       std::find_if(world->volumes.begin(), world->volumes.end(), [&](const world::Volume& volume) {
-        return volume.when.overlaps({now, now + kWarning}) && crosses(volume, margin, at, at);
+        return closes_around(volume, knowledge->vehicle, now, at);
       });
   if (around == world->volumes.end()) return std::nullopt;
   Refinery refinery(Gazetteer(knowledge, world), now, kSeed);
   const auto out = refinery.ways.way_out(at);
   if (!out) return std::nullopt;
   return WayOut{around->name, out->way.back()};
+}
+
+std::vector<std::string> closed_around(const Knowledge& knowledge, const world::World& world,
+                                       MissionTime now, const Vector3& at) {
+  std::vector<std::string> names;
+  for (const world::Volume& volume : world.volumes)
+    if (closes_around(volume, knowledge.vehicle, now, at)) names.push_back(volume.name);
+  return names;
 }
 
 std::vector<Vector3> own_way(const std::shared_ptr<const Knowledge>& knowledge,

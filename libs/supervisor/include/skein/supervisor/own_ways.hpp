@@ -21,6 +21,11 @@ std::optional<WayOut> way_out(const std::shared_ptr<const Knowledge>& knowledge,
                               const std::shared_ptr<const world::World>& world, MissionTime now,
                               const world::Vector3& at);
 
+/// The volumes around a UAV that stays at `at`: closed, or about to close within a minute.
+/// Cost: O(volumes).
+std::vector<std::string> closed_around(const Knowledge& knowledge, const world::World& world,
+                                       MissionTime now, const world::Vector3& at);
+
 /// A way from one place in the air to another, clear of closed air; if there is none, the straight
 /// line. Begins with `from` [m, ENU]. Cost: that of planning a way.
 std::vector<world::Vector3> own_way(const std::shared_ptr<const Knowledge>& knowledge,
