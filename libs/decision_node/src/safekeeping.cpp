@@ -118,9 +118,11 @@ void Safekeeping::come_home() {
   if (end)
     core_.bus().emit(Notice{
         "flies its way to the end before it comes home: nobody can be asked for air on another"});
-  if (!end || (*end - home).norm() > kAtHome)
-    go(way_to(home, end ? end : seen_at_),
-       end ? executive::InsertionMode::kNut : executive::InsertionMode::kVut);
+  if (!end || (*end - home).norm() > kAtHome) {
+    way_home_ = way_to(home, end ? end : seen_at_);
+    if (knows_world()) way_home_among_ = core_.deliberation().world()->volumes;
+    go(way_home_, end ? executive::InsertionMode::kNut : executive::InsertionMode::kVut);
+  }
   if (!core_.config().drives) core_.own_tasks().start("land", {}, executive::InsertionMode::kNut);
 }
 
@@ -135,6 +137,8 @@ std::vector<world::Vector3> Safekeeping::way_to(const world::Vector3& home,
 void Safekeeping::own_task_over(const executive::TaskEvent& event) {
   const bool over = core_.own_tasks().none_open();
   holds_ = holds_ && !over;
+  const bool came = event.type == "goto" && event.state == executive::TaskState::kEnded;
+  if (over || came) way_home_.clear();
   if (!over || event.type != "land" || !core_.own_tasks().given_up()) return;
   again_at_ = core_.bus().now() + pause_;
   core_.bus().emit(Notice{"in the air without a task: the vehicle gave its landing up (" +
@@ -158,6 +162,7 @@ void Safekeeping::look_after(const world::Telemetry& telemetry) {
   if (owed_ && core_.execution().airborne() && is_idle()) carry_out_policy();
   warned_ = warned_ && core_.execution().airborne();
   if (!may_be_on_its_way() || !knows_world()) return;
+  look_ahead(telemetry.state.position);
   if (core_.config().drives) return warn_of_closed_air(telemetry.state.position);
   if (!holds_) {
     warn_of_energy(telemetry);
@@ -213,6 +218,23 @@ void Safekeeping::warn_of_closed_air(const world::Vector3& at) {
 bool Safekeeping::is_left_alone() const {
   return mission::deliberates(core_.degree()) && !core_.deliberation().engaged() && is_idle() &&
          !again_at_;
+}
+
+// A way home is free among the volumes that were known when it began.
+void Safekeeping::look_ahead(const world::Vector3& at) {
+  const auto world = core_.deliberation().world();
+  if (way_home_.empty() || world->volumes == way_home_among_) return;
+  way_home_among_ = world->volumes;
+  const auto closed = [&](const std::vector<world::Vector3>& way) {
+    return supervisor::closed_ahead(*core_.config().knowledge, *world, core_.bus().now(), at, way);
+  };
+  const auto ahead = closed(way_home_);
+  if (!ahead) return;
+  const std::string why = "the air on its way home is closed (volume '" + *ahead + "'): ";
+  if (closed(way_to(way_home_.back(), at)))
+    return core_.bus().emit(Notice{why + "there is no way around it"});
+  core_.bus().emit(PolicyCarriedOut{ContactPolicy::kReturn, why + "around it"});
+  keep(ContactPolicy::kReturn);
 }
 
 /// While it is on its way, where that leads counts.

@@ -43,6 +43,7 @@ class Safekeeping {
   void hold();
   void come_home();
   void come_home_again();
+  void look_ahead(const world::Vector3& at);
   void leave_closed_air(const world::Vector3& at);
   void warn_of_closed_air(const world::Vector3& at);
   void warn_of_energy(const world::Telemetry& telemetry);
@@ -58,7 +59,9 @@ class Safekeeping {
   Core& core_;
   ContactWatch contact_;
   std::optional<world::Vector3> seen_at_, leaves_to_;
-  std::optional<ContactPolicy> pending_;  ///< waits until no task of the ground is under way
+  std::vector<world::Vector3> way_home_;       ///< while the vehicle is on it
+  std::vector<world::Volume> way_home_among_;  ///< the volumes that it was last looked at among
+  std::optional<ContactPolicy> pending_;       ///< waits until no task of the ground is under way
   /// When to try the way home again after the vehicle gave it up; pauses grow.
   std::optional<MissionTime> again_at_;
   Duration pause_;

@@ -158,6 +158,13 @@ TEST(OutOfContact, OneThatDrivesComesHomeWithoutLanding) {
   EXPECT_THAT(uav.news(), IsEmpty());
 }
 
+bool leads_through(const std::vector<double>& way, const Vector3& middle, double half) {
+  for (std::size_t i = 0; i < way.size(); i += 3)
+    if (std::abs(way[i] - middle.x()) < half && std::abs(way[i + 1] - middle.y()) < half)
+      return true;
+  return false;
+}
+
 TEST(OutOfContact, TheWayHomeGoesAroundClosedAir) {
   KeptUavSetup setup = of(ContactPolicy::kReturn);
   setup.volumes = {closed("wall", {150, 0, 0}, 40)};
@@ -170,8 +177,48 @@ TEST(OutOfContact, TheWayHomeGoesAroundClosedAir) {
   ASSERT_THAT(uav.under_way(), ElementsAre("goto"));
   const std::vector<double>& way = uav.last_way();
   ASSERT_GT(way.size(), 3U) << "not straight home";
-  for (std::size_t i = 0; i < way.size(); i += 3)
-    EXPECT_FALSE(std::abs(way[i] - 150) < 40 && std::abs(way[i + 1]) < 40) << way[i] << way[i + 1];
+  EXPECT_FALSE(leads_through(way, {150, 0, 0}, 40));
+}
+
+// The ground station is heard again, and tells it.
+TEST(OutOfContact, TheWayHomeGoesAroundAirThatClosesAheadMeanwhile) {
+  KeptUav uav(of(ContactPolicy::kReturn));
+  uav.flies_at({380, 0, 50});
+  uav.give(Contact{KeptUav::kGround, true, false});
+  uav.at(30);
+  uav.flies_at({300, 0, 50});
+  uav.news();
+
+  uav.command(mission::ChangeWorld{closed("behind", {380, 0, 0}, 20)});
+  uav.at(40);
+  EXPECT_THAT(uav.news(), IsEmpty()) << "it has left that";
+  uav.command(mission::ChangeWorld{closed("wall", {150, 0, 0}, 40)});
+  uav.at(41);
+
+  EXPECT_THAT(
+      uav.news(),
+      ElementsAre("policy return: the air on its way home is closed (volume 'wall'): around it",
+                  "interrupt goto", "dispatch goto"));
+  EXPECT_GT(uav.last_way().size(), 3U) << "not straight home";
+  EXPECT_FALSE(leads_through(uav.last_way(), {150, 0, 0}, 40));
+  uav.ends("goto");
+  EXPECT_THAT(uav.news(), ElementsAre("dispatch land"));
+}
+
+TEST(OutOfContact, WhereThereIsNoWayAroundItSaysSoAndComesHomeAllTheSame) {
+  KeptUav uav(of(ContactPolicy::kReturn));
+  uav.flies_at({300, 0, 50});
+  uav.give(Contact{KeptUav::kGround, true, false});
+  uav.at(30);
+  uav.news();
+
+  uav.command(mission::ChangeWorld{closed("home", {0, 0, 0}, 60)});
+  uav.at(40);
+  uav.at(41);
+
+  EXPECT_THAT(uav.news(),
+              ElementsAre("notice: the air on its way home is closed (volume 'home'): there is no "
+                          "way around it"));
 }
 
 // Tasks made by a restarted node at another millisecond have other numbers.

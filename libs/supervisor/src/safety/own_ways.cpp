@@ -2,11 +2,13 @@
 #include "skein/supervisor/own_ways.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "flight/flight_times.hpp"
 #include "refinery/refinery.hpp"
 #include "safety/warning.hpp"
 #include "skein/world/crossing.hpp"
+#include "skein/world/segment.hpp"
 
 namespace skein::supervisor {
 
@@ -53,6 +55,45 @@ std::vector<Vector3> own_way(const std::shared_ptr<const Knowledge>& knowledge,
   Refinery refinery(Gazetteer(knowledge, world), now, kSeed);
   const auto way = refinery.ways.path(from, to);
   return way && way->way.size() > 1 ? way->way : std::vector<Vector3>{from, to};
+}
+
+namespace {
+
+// From where it is on.
+std::vector<Vector3> rest_of(const std::vector<Vector3>& way, const Vector3& at) {
+  std::size_t next = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const double away = world::to_segment(at, way[i - 1], way[i]);
+    if (away >= nearest) continue;
+    nearest = away;
+    next = i;
+  }
+  std::vector<Vector3> rest{at};
+  rest.insert(rest.end(), way.begin() + static_cast<std::ptrdiff_t>(next), way.end());
+  return rest;
+}
+
+Duration time_for(const std::vector<Vector3>& way, const world::VehicleModel& vehicle) {
+  double length = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) length += (way[i] - way[i - 1]).norm();
+  return Duration::seconds(length / vehicle.cruise_speed) + kWarning;
+}
+
+}  // namespace
+
+std::optional<std::string> closed_ahead(const Knowledge& knowledge, const world::World& world,
+                                        MissionTime now, const Vector3& at,
+                                        const std::vector<Vector3>& way) {
+  const world::VehicleModel& vehicle = knowledge.vehicle;
+  const std::vector<Vector3> rest = rest_of(way, at);
+  const MissionTime there = now + time_for(rest, vehicle);
+  for (const world::Volume& volume : world.volumes) {
+    const bool ahead =
+        !crosses(volume, vehicle.body_radius, at, at) && crosses(volume, vehicle.body_radius, rest);
+    if (ahead && volume.when.overlaps({now, there})) return volume.name;
+  }
+  return std::nullopt;
 }
 
 }  // namespace skein::supervisor

@@ -33,4 +33,11 @@ std::vector<world::Vector3> own_way(const std::shared_ptr<const Knowledge>& know
                                     MissionTime now, const world::Vector3& from,
                                     const world::Vector3& to);
 
+/// The volume that the rest of `way` leads through, which is closed, or will be while the UAV flies
+/// it: from the leg that is nearest to `at`, where the UAV is; not one that is around it already.
+/// Cost: O(volumes × points).
+std::optional<std::string> closed_ahead(const Knowledge& knowledge, const world::World& world,
+                                        MissionTime now, const world::Vector3& at,
+                                        const std::vector<world::Vector3>& way);
+
 }  // namespace skein::supervisor
