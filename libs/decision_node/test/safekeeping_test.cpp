@@ -8,36 +8,21 @@
 namespace skein::decision_node {
 namespace {
 
+using testing::closed;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using testing::goto_of;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using testing::kDue;
 using testing::KeptUav;
 using testing::KeptUavSetup;
+using testing::kLost;
 using ::testing::Not;
+using testing::of;
 using testing::start_of;
 using testing::takeoff_of;
 using world::Vector3;
-
-constexpr double kLost = 10, kDue = 40;
-
-KeptUavSetup of(ContactPolicy policy, int degree = 3) {
-  KeptUavSetup setup;
-  setup.policy = policy;
-  setup.degree = degree;
-  return setup;
-}
-
-world::Volume closed(const std::string& name, const Vector3& middle, double half, double from = 0) {
-  const double x = middle.x(), y = middle.y();
-  world::Volume volume;
-  volume.name = name;
-  volume.polygon = {
-      {x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}};
-  volume.when.from = MissionTime::seconds(from);
-  return volume;
-}
 
 /// On a goto, out of contact since 10 s.
 KeptUav under_way_and_lost(const KeptUavSetup& setup) {
@@ -355,151 +340,6 @@ TEST(Hold, AWayOutThatHasNotBegunIsWithdrawnForTheWayHome) {
   uav.ends("goto");
 
   EXPECT_THAT(uav.news(), ElementsAre("dispatch land"));
-}
-
-// ---- left in the air ----
-
-/// At degree 4, its deliberation stopped by a loss of contact that is over, and its hold ended by
-/// an operator who then did nothing more.
-KeptUav left_alone(const std::vector<world::Volume>& volumes = {}, int degree = 4) {
-  KeptUavSetup setup = of(ContactPolicy::kHold, degree);
-  setup.volumes = volumes;
-  KeptUav uav(setup);
-  uav.loses_the_ground(kLost);
-  uav.at(kDue);
-  uav.give(Contact{KeptUav::kGround, true, true});
-  uav.command(goto_of(13, {100, 0, 50}));
-  uav.ends("goto");
-  uav.news();
-  return uav;
-}
-
-TEST(LeftInTheAir, ComesHomeOnceItsEnergyLastsNoLongerThanThat) {
-  KeptUav uav = left_alone();
-
-  uav.at(100);
-  uav.flies_at({100, 0, 50}, 0.5);
-  EXPECT_THAT(uav.news(), IsEmpty());
-  uav.at(200);
-  uav.flies_at({100, 0, 50}, 0.11);
-  uav.at(206);
-
-  EXPECT_THAT(uav.news(),
-              ElementsAre("notice: its energy lasts no longer than to come home",
-                          "policy return: left in the air without a task, and its deliberation "
-                          "was stopped",
-                          "dispatch goto"));
-}
-
-TEST(LeftInTheAir, BelowDegreeFourItOnlySaysSoOnceAFlight) {
-  KeptUav uav = left_alone({}, 3);
-
-  for (double now = 100; now < 130; now += 6) {
-    uav.flies_at({100, 0, 50}, 0.11);
-    uav.at(now);
-  }
-  EXPECT_THAT(uav.news(), ElementsAre("notice: its energy lasts no longer than to come home"));
-
-  uav.flies_at({0, 0, 0}, 0.11);
-  uav.flies_at({100, 0, 50}, 0.11);
-  uav.at(140);
-  EXPECT_THAT(uav.news(), ElementsAre("notice: its energy lasts no longer than to come home"));
-}
-
-TEST(LeftInTheAir, WhileATaskOfAnOperatorIsUnderWayItOnlySaysSo) {
-  KeptUav uav = left_alone();
-  uav.command(start_of(14, "wait"));
-  uav.news();
-
-  uav.flies_at({100, 0, 50}, 0.11);
-  uav.at(100);
-
-  EXPECT_THAT(uav.news(), ElementsAre("notice: its energy lasts no longer than to come home"));
-}
-
-TEST(LeftInTheAir, LeavesAirThatClosesAroundIt) {
-  KeptUav uav = left_alone({closed("smoke", {100, 0, 0}, 50, 300)});
-  uav.at(200);
-  EXPECT_THAT(uav.news(), IsEmpty());
-
-  uav.at(245);
-
-  EXPECT_THAT(uav.news(),
-              ElementsAre("policy hold: the air around it is closed (volume 'smoke'): it leaves",
-                          "dispatch goto"));
-}
-
-TEST(LeftInTheAir, WhileItDeliberatesItsSupervisorLeavesClosedAir) {
-  KeptUavSetup setup = of(ContactPolicy::kHold, 4);
-  setup.volumes = {closed("smoke", {100, 0, 0}, 50, 300)};
-  KeptUav uav(setup);
-  uav.flies_at({100, 0, 50});
-  uav.news();
-
-  uav.at(245);
-
-  EXPECT_THAT(uav.news(), Not(Contains(HasSubstr("policy"))));
-}
-
-const std::string kInSmoke = "notice: it is in air that is closed or about to be (volume 'smoke')";
-
-TEST(LeftInTheAir, BelowDegreeFourItTellsItsOperatorOfClosedAirAndStays) {
-  KeptUav uav = left_alone({closed("smoke", {100, 0, 0}, 50, 300)}, 3);
-
-  uav.at(235);
-  EXPECT_THAT(uav.news(), IsEmpty());
-  uav.at(245);
-  EXPECT_THAT(uav.news(), ElementsAre(kInSmoke));
-  for (const double later : {265.0, 290.0, 310.0}) uav.at(later);
-  EXPECT_THAT(uav.news(), IsEmpty()) << "once is enough";
-}
-
-TEST(LeftInTheAir, UnderATaskOfAnOperatorItTellsThemOfClosedAir) {
-  KeptUav uav = left_alone({closed("smoke", {100, 0, 0}, 50, 300)});
-  uav.command(start_of(14, "wait"));
-  uav.news();
-
-  uav.at(245);
-
-  EXPECT_THAT(uav.news(), ElementsAre(kInSmoke));
-}
-
-TEST(InAnOperatorsHand, OnlyWhoWasOutOfClosedAirForAWhileTellsOfItAgain) {
-  KeptUav uav = left_alone({closed("smoke", {100, 0, 0}, 50)}, 3);
-  const Vector3 in{100, 0, 50}, out{300, 0, 50};
-  const auto seen = [&](double seconds, const Vector3& at) {
-    uav.flies_at(at);
-    uav.at(seconds);
-    return uav.news();
-  };
-  seen(100, in);
-
-  EXPECT_THAT(seen(110, out), IsEmpty());
-  EXPECT_THAT(seen(115, in), IsEmpty()) << "wavers on the border";
-  EXPECT_THAT(seen(120, out), IsEmpty());
-  EXPECT_THAT(seen(150, out), IsEmpty());
-  EXPECT_THAT(seen(155, in), ElementsAre(kInSmoke));
-}
-
-TEST(InAnOperatorsHand, OneThatDrivesTellsOfClosedAirToo) {
-  KeptUavSetup setup = of(ContactPolicy::kHold);
-  setup.drives = true;
-  setup.volumes = {closed("smoke", {100, 0, 0}, 50)};
-  KeptUav robot(setup);
-
-  robot.flies_at({100, 0, 0});
-
-  EXPECT_THAT(robot.news(), ElementsAre(kInSmoke));
-}
-
-TEST(InAnOperatorsHand, AllVolumesAroundAreNamed) {
-  KeptUav uav = left_alone({closed("smoke", {100, 0, 0}, 50, 300), closed("far", {300, 0, 0}, 50),
-                            closed("storm", {90, 0, 0}, 60, 300)},
-                           3);
-
-  uav.at(245);
-
-  EXPECT_THAT(uav.news(), ElementsAre(kInSmoke, HasSubstr("'storm'")));
 }
 
 }  // namespace

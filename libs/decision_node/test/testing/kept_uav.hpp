@@ -17,6 +17,9 @@
 
 namespace skein::decision_node::testing {
 
+/// The ground station is not heard from then on, and the contact-loss policy due [s].
+inline constexpr double kLost = 10, kDue = 40;
+
 /// What a test may set otherwise before the node is made.
 struct KeptUavSetup {
   int degree = 3;
@@ -24,6 +27,25 @@ struct KeptUavSetup {
   std::vector<world::Volume> volumes = {};
   bool drives = false;
 };
+
+inline KeptUavSetup of(ContactPolicy policy, int degree = 3) {
+  KeptUavSetup setup;
+  setup.policy = policy;
+  setup.degree = degree;
+  return setup;
+}
+
+/// Closed from `from` [s] on: a square about `middle`, whose sides are twice `half` [m].
+inline world::Volume closed(const std::string& name, const Vector3& middle, double half,
+                            double from = 0) {
+  const double x = middle.x(), y = middle.y();
+  world::Volume volume;
+  volume.name = name;
+  volume.polygon = {
+      {x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}};
+  volume.when.from = MissionTime::seconds(from);
+  return volume;
+}
 
 /// "marvin", which hovers, at home at (0, 0, 50). Its contact-loss policy is due after 30 s.
 class KeptUav {
