@@ -57,18 +57,16 @@ void overlapping(const Uav& uav, std::vector<Violation>& result) {
   constexpr double kMoment = 0.5;  // [s] executives of ground and UAV at a hand-over
   const Execution* last = nullptr;
   const auto on_board = [&](const Execution* one) { return one->node == uav.name(); };
-  std::vector<const Execution*> motions;
+  std::multimap<double, const Execution*> motions;  // in the order in which the vehicle begins
   for (const auto& [task, execution] : uav.executions) {
     // What the vehicle refused in the same instant never moved it.
     const bool flew = execution.taken != kNever && execution.over > execution.taken;
-    if (execution.is_motion() && flew) motions.push_back(&execution);
+    const double from = execution.is_motion() && flew ? begun(uav, execution) : kNever;
+    if (from != kNever) motions.emplace(from, &execution);
   }
-  std::stable_sort(motions.begin(), motions.end(),
-                   [](const auto* a, const auto* b) { return a->taken < b->taken; });
-  for (const Execution* one : motions) {
-    if (last != nullptr && on_board(one) && on_board(last) && begun(uav, *last) != kNever &&
-        begun(uav, *one) + kMoment < last->over) {
-      result.push_back({"", one->taken, uav.name(), uav.goal_of_task(one->task),
+  for (const auto& [from, one] : motions) {
+    if (last != nullptr && on_board(one) && on_board(last) && from + kMoment < last->over) {
+      result.push_back({"", from, uav.name(), uav.goal_of_task(one->task),
                         named(uav, one->task, one->type) + " begins while " +
                             named(uav, last->task, last->type) + " is under way"});
     }

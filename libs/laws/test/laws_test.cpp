@@ -364,6 +364,15 @@ TEST(OneMotion, WhatTheVehicleBeginsWithLaterIsFine) {
 }
 
 // Found by storms (handover/synchronised, seeds 60, 447 and 671).
+// An operator's landing, given while a takeoff was being interrupted for a way.
+TEST(OneMotion, WhatIsGivenFirstAndBegunLastIsFine) {
+  Story story;
+  story.does("marvin", {1, "takeoff", 0, 9, 14, "aborted", "", {}, "", 10})
+      .does("marvin", {3, "goto", 0, 14, 17, "aborted", "", {}, "", 15})
+      .does("marvin", {6, "land", 0, 9, 40, "ended", "", {}, "", 18});
+
+  EXPECT_THAT(story.broken("one-motion"), IsEmpty());
+}
 TEST(OneMotion, WhatTheGroundStartedOutOfReachIsUnderWayOnceItIsStartedOnBoard) {
   Story story;
   story.starts_unheard("heliv", 145, 203, "goto")
