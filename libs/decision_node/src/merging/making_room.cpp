@@ -171,7 +171,8 @@ std::optional<world::Vector3> Merging::way_home_begins() const {
   if (!merger_ || merger_->can_ask() || home_.choices().empty()) return std::nullopt;
   if (!vehicle_.flies() || !vehicle_.flown()->airway.way) return std::nullopt;
   const Airway& flight = vehicle_.flown()->airway;
-  return flies_portion() || flight.request.id < functional::kFirstAsideId ? flight.end : std::nullopt;
+  return flies_portion() || flight.request.id < functional::kFirstAsideId ? flight.end
+                                                                          : std::nullopt;
 }
 
 std::function<bool(const world::Vector3&)> Merging::free_to_stay() const {

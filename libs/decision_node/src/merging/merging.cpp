@@ -229,6 +229,7 @@ void Merging::begin(const Airway& airway, const std::string& state) {
 
 bool Merging::told(const functional::Status& status) {
   if (!merger_) return false;
+  if (runs_already_ == status.id && status.state == functional::TaskState::kRunning) return true;
   const bool of_portion = portions_ && portions_->flown == status.id;
   if (of_portion && portions_->begins_to_run(status))
     core_.post_status({portions_->task(), functional::TaskState::kRunning, ""});

@@ -90,8 +90,9 @@ class Merging final : public Component {
   std::optional<Portions> portions_;  ///< of the motion that is flown, or waits
   std::optional<world::Vector3>
       place_;  ///< where it got out of the way from, and did not come back
-  std::optional<MissionTime> room_since_;   ///< another one wants to go where it stays, since then
-  supervisor::AirOrders orders_;            ///< as the supervisor was told
+  std::optional<MissionTime> room_since_;  ///< another one wants to go where it stays, since then
+  supervisor::AirOrders orders_;           ///< as the supervisor was told
+  std::optional<functional::TaskId> runs_already_;        ///< a sweep on its last portion
   functional::TaskId aside_ = functional::kFirstAsideId;  ///< of the next flight out of the way
 };
 

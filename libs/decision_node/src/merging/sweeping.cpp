@@ -26,7 +26,10 @@ void Merging::cut() {
 void Merging::take_portion(functional::Request& flight) {
   if (!portions_ || portions_->task() != flight.id) return portions_.reset();
   portions_->take();
-  if (portions_->is_last_taken()) return portions_.reset();
+  if (portions_->is_last_taken()) {
+    if (portions_->running) runs_already_ = portions_->task();
+    return portions_.reset();
+  }
   flight.id = aside_;
   portions_->flown = aside_;
   aside_ = functional::TaskId(aside_.value() + 1);

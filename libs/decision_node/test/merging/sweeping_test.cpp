@@ -12,6 +12,7 @@ using executive::TaskState;
 using ::testing::ElementsAre;
 using testing::give_sweep;
 using testing::goto_of;
+using ::testing::IsEmpty;
 using testing::last_had;
 using testing::MergedTeam;
 using ::testing::SizeIs;
@@ -49,6 +50,7 @@ TEST(Sweeping, ASweepInPortionsIsOneMotionToItsExecutive) {
   give_sweep(team, "marvin", goto_of(3, lanes(8)));
   team.run(330);
   EXPECT_THAT(team.begun("marvin"), SizeIs(::testing::Gt(3U)));
+  EXPECT_THAT(team.notices("marvin"), IsEmpty());
   std::vector<TaskState> states;
   for (const executive::TaskEvent& one : team.events("marvin"))
     if (one.id == functional::TaskId(3)) states.push_back(one.state);

@@ -170,6 +170,7 @@ class MergedTeam {
     return uavs_[uav].over.contains(task);
   }
   std::vector<AirNoted> notes(const std::string& uav) { return uavs_[uav].notes; }
+  std::vector<std::string> notices(const std::string& uav) { return uavs_[uav].notices; }
   /// What the ground station was told of its tasks.
   std::vector<functional::Status> passed_on(const std::string& uav) { return uavs_[uav].passed; }
   std::vector<executive::TaskEvent> events(const std::string& uav) { return uavs_[uav].events; }
@@ -186,6 +187,7 @@ class MergedTeam {
     std::vector<std::uint64_t> begun;
     std::set<std::uint64_t> over;
     std::vector<AirNoted> notes;
+    std::vector<std::string> notices;
     std::vector<executive::TaskEvent> events;
     std::vector<functional::Status> passed;
     double highest = 0;
@@ -217,6 +219,7 @@ class MergedTeam {
         radio_.emplace_back(send->to, MergeTold{name, send->message});
       if (const auto* to = std::get_if<ToVehicle>(&effect)) take(uav, to->request);
       if (const auto* note = std::get_if<AirNoted>(&effect)) uav.notes.push_back(*note);
+      if (const auto* notice = std::get_if<Notice>(&effect)) uav.notices.push_back(notice->text);
       if (const auto* status = std::get_if<StatusPassedOn>(&effect))
         uav.passed.push_back(status->status);
       if (const auto* task = std::get_if<TaskChanged>(&effect)) {
