@@ -340,57 +340,6 @@ TEST(PartnersApart, WhoMeetsOneThatWaitsIsBlamedAtOnceWhoBothSetOutFromOnePlaceA
 
 // ---- motion ----
 
-TEST(OneMotion, TwoMotionsOverlap) {
-  Story story;
-  story.does("marvin", {100, "goto", 701, 5, 60}).does("marvin", {101, "wait", 702, 30, 90});
-
-  EXPECT_THAT(story.broken("one-motion"),
-              ElementsAre(HasSubstr("wait 101 of goal 702 begins while goto 100")));
-}
-
-TEST(OneMotion, OneAfterTheOtherIsFine) {
-  Story story;
-  story.does("marvin", {100, "goto", 701, 5, 60}).does("marvin", {101, "wait", 702, 60, 90});
-
-  EXPECT_THAT(story.broken("one-motion"), IsEmpty());
-}
-
-TEST(OneMotion, WhatTheVehicleBeginsWithLaterIsFine) {
-  Story story;
-  story.does("marvin", {100, "land", 701, 5, 60, "aborted"})
-      .does("marvin", {101, "wait", 0, 50, 90, "ended", "", {}, "", 60});
-
-  EXPECT_THAT(story.broken("one-motion"), IsEmpty());
-}
-
-// Found by storms (handover/synchronised, seeds 60, 447 and 671).
-// An operator's landing, given while a takeoff was being interrupted for a way.
-TEST(OneMotion, WhatIsGivenFirstAndBegunLastIsFine) {
-  Story story;
-  story.does("marvin", {1, "takeoff", 0, 9, 14, "aborted", "", {}, "", 10})
-      .does("marvin", {3, "goto", 0, 14, 17, "aborted", "", {}, "", 15})
-      .does("marvin", {6, "land", 0, 9, 40, "ended", "", {}, "", 18});
-
-  EXPECT_THAT(story.broken("one-motion"), IsEmpty());
-}
-TEST(OneMotion, WhatTheGroundStartedOutOfReachIsUnderWayOnceItIsStartedOnBoard) {
-  Story story;
-  story.starts_unheard("heliv", 145, 203, "goto")
-      .does("heliv", {900, "wait", 0, 193, 200})
-      .does("heliv", {203, "goto", 803, 199, 245, "ended", "", {}, "", 202});
-
-  EXPECT_THAT(story.broken("one-motion"), IsEmpty());
-}
-
-TEST(OneMotion, WhatTheGroundStartedOutOfReachOverlapsAsAnyOnBoard) {
-  Story story;
-  story.starts_unheard("heliv", 145, 203, "goto")
-      .does("heliv", {900, "wait", 0, 193, 200})
-      .does("heliv", {203, "goto", 803, 196, 245});
-
-  EXPECT_THAT(story.broken("one-motion"), ElementsAre(HasSubstr("goto 203")));
-}
-
 TEST(Held, NoMotionBeginsUnderAPerceptionOfAnotherGoal) {
   Story story;
   story.does("marvin", {100, "takeshot", 701, 5, 125, "ended", "visible"})
