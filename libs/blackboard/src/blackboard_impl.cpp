@@ -335,7 +335,7 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample&& sample, Now now
     refuse(slot, header, *violation);
     return refuse_event(channel, slot, header, now);
   }
-  if (is_back(slot, header, config_.self)) return;
+  if (is_back(slot, header, config_.self) || is_of_second(channel, header, now)) return;
   if (header.destination != 0 && header.destination != config_.self.value()) {
     if (!forwarding_) return;
     if (auto next = forwarding_->pass_on(config, std::move(sample)))
@@ -344,41 +344,53 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample&& sample, Now now
   }
   latest_heard_ = std::max(latest_heard_, MissionTime::nanoseconds(header.mission_time));
   if (world) {
-    if (freshness_.admit(slot, header))
+    if (freshness_.admit(slot, header) == Novelty::kNew)
       out_.emplace_back(
           Received{NodeNumber(header.origin), ChannelKind::kWorld, std::move(sample)});
     return;
   }
-  admit_from_peer(channel, std::move(sample), now);
+  admit_from_peer(channel, *speaker(channel, header), std::move(sample), now);
 }
 
-void Blackboard::Impl::admit_from_peer(std::size_t channel, wire::Sample&& sample, Now now) {
+void Blackboard::Impl::admit_from_peer(std::size_t channel, Peer& peer, wire::Sample&& sample,
+                                       Now now) {
   const wire::Slot slot = wire::slot_of(sample);
   const wire::SampleHeader header = wire::header_of(sample);
-  const ChannelConfig& over = config_.channels[channel];
-  // Others' samples come over the channel of who passed them on.
-  const bool direct = senders_[channel] != nullptr && over.from.value() == header.origin;
-  Peer& peer = direct ? *senders_[channel] : peers_.at(NodeNumber(header.origin));
-  if (is_event(slot)) {
-    if (peer.on_event(header, std::move(sample), now, out_)) show_life(channel, header, now);
-    return hear(peer);
-  }
-  if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample)) {
-    compare_lives(peer, *heartbeat, now);
-    if (!peer.is_news(*heartbeat)) return;
-    if (forwarding_ && header.via.empty() && over.kind == ChannelKind::kRadio)
-      forwarding_->on_heartbeat(over.from, now.steady);
-    peer.on_heartbeat(*heartbeat, now, out_);
-    return hear(peer);
-  }
-  if (!freshness_.admit(slot, header)) return;
-  show_life(channel, header, now);
+  if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample))
+    return admit_heartbeat(channel, peer, *heartbeat, now);
+  if (header.incarnation < peer.incarnation() && !peer.is_former(header.incarnation))
+    return note_older_life(channel, peer, slot, header);
+  if (header.incarnation < peer.incarnation() && !is_event(slot)) return;
+  const Novelty novelty = is_event(slot) ? peer.on_event(header, std::move(sample), now, out_)
+                                         : freshness_.admit(slot, header);
+  if (novelty == Novelty::kNew) show_life(channel, header, now);
+  if (novelty == Novelty::kReplayed) note_replay(channel, slot, header);
+  if (is_event(slot)) return hear(peer);
+  if (novelty != Novelty::kNew) return;
   if (const auto* part = std::get_if<wire::Part>(&sample)) return admit_part(peer, *part, now);
   if (auto* report = std::get_if<wire::Neighbours>(&sample)) {
     if (forwarding_) hand_all(forwarding_->learn(std::move(*report)), now);
     return;
   }
   out_.emplace_back(Received{NodeNumber(header.origin), peer.channels().kind, std::move(sample)});
+}
+
+void Blackboard::Impl::admit_heartbeat(std::size_t channel, Peer& peer,
+                                       const wire::Heartbeat& heartbeat, Now now) {
+  const ChannelConfig& over = config_.channels[channel];
+  compare_lives(peer, heartbeat, now);
+  const Novelty novelty = peer.note(heartbeat);
+  if (novelty == Novelty::kReplayed)
+    return note_replay(channel, wire::Slot::kHeartbeat, heartbeat.header);
+  if (novelty == Novelty::kKnown) return;
+  if (forwarding_ && heartbeat.header.via.empty() && over.kind == ChannelKind::kRadio)
+    forwarding_->on_heartbeat(over.from, now.steady);
+  const std::uint64_t before = peer.incarnation();
+  const bool was_refused = peer.was_refused(heartbeat.header.incarnation);
+  peer.on_heartbeat(heartbeat, now, out_);
+  if (peer.incarnation() < before) return_to_first(peer, heartbeat.header, now);
+  if (was_refused) ask_for_last_values(peer, now);
+  hear(peer);
 }
 
 void Blackboard::Impl::refuse(wire::Slot slot, const wire::SampleHeader& header,

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
 #include <unordered_map>
 #include <utility>
 
+#include "novelty.hpp"
 #include "skein/blackboard/wire.hpp"
 
 namespace skein::blackboard {
@@ -13,15 +15,34 @@ namespace skein::blackboard {
 /// For each (origin, slot, instance) the newest sample seen, by incarnation then sequence.
 class Freshness {
  public:
-  /// Whether the sample is newer than all admitted before it; if so, it is recorded.
-  bool admit(wire::Slot slot, const wire::SampleHeader& header) {
+  /// A sample that is newer than all admitted before it is recorded. One that is older than another
+  /// of the same incarnation is replayed.
+  Novelty admit(wire::Slot slot, const wire::SampleHeader& header) {
     const Version version{header.incarnation, header.sequence_number};
-    const auto [entry, inserted] =
-        newest_.try_emplace(Key{header.origin, slot, header.instance}, version);
-    if (inserted) return true;
-    if (version <= entry->second) return false;
-    entry->second = version;
-    return true;
+    const Key key{header.origin, slot, header.instance};
+    const auto [entry, inserted] = newest_.try_emplace(key, version);
+    if (inserted) return Novelty::kNew;
+    Version& newest = entry->second;
+    if (version <= newest) {
+      const bool is_older = version.first == newest.first && version < newest;
+      return is_older ? Novelty::kReplayed : Novelty::kKnown;
+    }
+    if (version.first != newest.first) former_.insert_or_assign(key, newest);
+    newest = version;
+    return Novelty::kNew;
+  }
+
+  /// The origin is the life with this incarnation again, and what a later one said does not count:
+  /// the last sample of each kind is admitted once more, since that of the later life took its
+  /// place. Cost: all samples recorded.
+  void return_to(std::uint32_t origin, std::uint64_t incarnation) {
+    for (auto one = newest_.begin(); one != newest_.end();) {
+      const bool is_later = one->first.origin == origin && one->second.first > incarnation;
+      const auto former = is_later ? former_.find(one->first) : former_.end();
+      const bool is_known = former != former_.end() && former->second.first <= incarnation;
+      if (is_known) one->second = {former->second.first, former->second.second - 1};
+      one = is_later && !is_known ? newest_.erase(one) : std::next(one);
+    }
   }
 
  private:
@@ -40,6 +61,7 @@ class Freshness {
   };
   using Version = std::pair<std::uint64_t, std::uint64_t>;
   std::unordered_map<Key, Version, Hash> newest_;
+  std::unordered_map<Key, Version, Hash> former_;  ///< the newest of the incarnation before
 };
 
 }  // namespace skein::blackboard

@@ -10,6 +10,10 @@ namespace {
 /// Far more than a correct sender has under way; what does not fit is sent again.
 constexpr std::size_t kBufferLimit = 4 * kEventDepth;
 
+/// A transport gives its history again once for each contact; repetitions of the sender may be
+/// under way when its heartbeat says that it has the acknowledgement.
+constexpr std::uint32_t kInnocentRuns = 3;
+
 }  // namespace
 
 bool IncomingEvents::enter(std::uint64_t incarnation) {
@@ -21,17 +25,24 @@ bool IncomingEvents::enter(std::uint64_t incarnation) {
   return true;
 }
 
-bool IncomingEvents::on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event) {
+Novelty IncomingEvents::on_event(const wire::SampleHeader& header,
+                                 std::optional<wire::Sample> event) {
   // What is malformed may lie in its header too: it never opens a session nor waits for one.
-  if (!event && (header.incarnation != incarnation_ || !open_)) return false;
-  if (!enter(header.incarnation)) return false;
+  if (!event && (header.incarnation != incarnation_ || !open_)) return Novelty::kKnown;
+  if (!enter(header.incarnation)) return Novelty::kKnown;
   const std::uint64_t sequence = header.sequence_number;
-  if (open_ && sequence < next_) {
-    owes_ = true;
-    return false;
-  }
-  if (buffer_.size() >= kBufferLimit || (open_ && sequence - next_ >= kBufferLimit)) return false;
-  return buffer_.emplace(sequence, std::move(event)).second;
+  if (open_ && sequence < next_) return handled_before(sequence);
+  if (buffer_.size() >= kBufferLimit || (open_ && sequence - next_ >= kBufferLimit))
+    return Novelty::kKnown;
+  return buffer_.emplace(sequence, std::move(event)).second ? Novelty::kNew : Novelty::kKnown;
+}
+
+Novelty IncomingEvents::handled_before(std::uint64_t sequence) {
+  owes_ = true;
+  if (sequence >= settled_) return Novelty::kKnown;
+  if (sequence <= last_again_) ++runs_again_;
+  last_again_ = sequence;
+  return runs_again_ > kInnocentRuns ? Novelty::kReplayed : Novelty::kKnown;
 }
 
 void IncomingEvents::on_heartbeat(const wire::Heartbeat& heartbeat, std::vector<Incoming>& out) {
@@ -47,6 +58,7 @@ void IncomingEvents::on_heartbeat(const wire::Heartbeat& heartbeat, std::vector<
     buffer_.erase(buffer_.begin(), buffer_.lower_bound(from));
   }
   if (!open_) handled_ = from - 1;
+  settled_ = from;
   open_ = true;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "novelty.hpp"
 #include "skein/blackboard/blackboard.hpp"
 
 namespace skein::blackboard {
@@ -34,8 +35,7 @@ class IncomingEvents {
       : self_(self), self_incarnation_(self_incarnation) {}
 
   /// An event; it may be empty if it was malformed: then it only fills its place in the sequence.
-  /// Whether it had not been here before.
-  bool on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event);
+  Novelty on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event);
   void on_heartbeat(const wire::Heartbeat& heartbeat, std::vector<Incoming>& out);
   /// Delivers the next events as far as there is no gap; expired ones are reported instead.
   void deliver(ChannelKind kind, MissionTime now, std::vector<Incoming>& out);
@@ -51,9 +51,15 @@ class IncomingEvents {
   /// Whether an acknowledgement now would spare the peer repetitions.
   bool owes_acknowledgement() const { return owes_; }
   void acknowledged() { owes_ = false; }
+  /// Contact has begun: the transport may give its history again.
+  void begin_contact() {
+    last_again_ = 0;
+    runs_again_ = 0;
+  }
 
  private:
   bool enter(std::uint64_t incarnation);
+  Novelty handled_before(std::uint64_t sequence);
 
   NodeNumber self_;
   std::uint64_t self_incarnation_;
@@ -61,6 +67,9 @@ class IncomingEvents {
   bool open_ = false;
   std::uint64_t next_ = 1;
   std::uint64_t handled_ = 0;
+  std::uint64_t settled_ = 0;     ///< the sender holds no events before this one
+  std::uint64_t last_again_ = 0;  ///< the last settled event that came again
+  std::uint32_t runs_again_ = 0;  ///< how often such events began anew with an earlier one
   bool owes_ = false;
   std::map<std::uint64_t, std::optional<wire::Sample>> buffer_;
 };

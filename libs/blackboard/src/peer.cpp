@@ -13,9 +13,6 @@ constexpr Duration kAcknowledgementDelay = Duration::milliseconds(10);
 /// On a limited channel, acknowledgements leave room for so many others between them.
 constexpr std::size_t kHeartbeatsBetween = 4;
 
-/// After one, an old heartbeat may only be late.
-constexpr int kRivalTurns = 3;
-
 /// A little less than the period: after three of them a peer counts as lost, and the third
 /// heartbeat, on its way a little longer than those before it, has to be there by then. Else two
 /// that are lost in a row, 1 in 11 at 30 % loss, are a cut.
@@ -47,8 +44,8 @@ Peer::Peer(PeerChannels channels, const Config& config)
       self_incarnation_(config.incarnation),
       period_(config.heartbeat_period),
       outgoing_(config.held_events, config.retransmission),
-      incoming_(config.self, config.incarnation),
-      parts_out_(config.retransmission) {
+      parts_out_(config.retransmission),
+      life_(config.self, config.incarnation) {
   limit(config.channels[channels.outgoing].capacity, {});
 }
 
@@ -88,7 +85,7 @@ Duration Peer::acknowledgement_delay() const {
 }
 
 void Peer::owe_acknowledgement(Duration now) {
-  if (!incoming_.owes_acknowledgement() || acknowledge_at_) return;
+  if (!life_.incoming.owes_acknowledgement() || acknowledge_at_) return;
   acknowledge_at_ = now + acknowledgement_delay();
 }
 
@@ -107,21 +104,51 @@ Duration Peer::silence_limit() const {
   return heard_of_ ? limit + limit : limit;
 }
 
-bool Peer::on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
-                    std::vector<Incoming>& out) {
-  const bool is_new = incoming_.on_event(header, std::move(event));
-  incoming_.deliver(channels_.kind, now.mission, out);
+Novelty Peer::on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
+                       std::vector<Incoming>& out) {
+  Life* life = life_of(header.incarnation, now.steady);
+  if (life == nullptr || is_refused_) return Novelty::kKnown;
+  const Novelty novelty = life->incoming.on_event(header, std::move(event));
+  if (life != &life_) return novelty;
+  life_.incoming.deliver(channels_.kind, now.mission, out);
   owe_acknowledgement(now.steady);
-  return is_new;
+  return novelty;
 }
 
 void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out) {
   const std::uint64_t incarnation = heartbeat.header.incarnation;
-  if (incarnation < incarnation_) return;
-  const bool restarted = incarnation_ != 0 && incarnation > incarnation_;
+  const bool is_former_again = is_former(incarnation) && former_goes_on(now.steady);
+  if (incarnation < life_.incarnation) return;
+  forget_silent_rival(now.steady);
+  const bool is_another = incarnation > life_.incarnation;
+  const bool restarted = (is_another && life_.incarnation != 0) || is_former_again;
+  if (is_another) {
+    follow(incarnation, now.steady);
+    life_.newest_heartbeat = heartbeat.header.sequence_number;
+  }
   if (restarted) rival_turns_ = 0;
   heard_latest_ = true;
-  const bool is_heard = heartbeat.ack_incarnation == self_incarnation_;
+  take_acknowledgement(heartbeat, out);
+  if (!reachable_ || restarted) {
+    out.emplace_back(Reachability{channels_.number, true, restarted});
+    outgoing_.resend();
+    parts_out_.resend();
+    next_heartbeat_ = now.steady;
+    life_.incoming.begin_contact();
+  }
+  reachable_ = true;
+  outgoing_.set_contact(true);
+  parts_out_.set_contact(true);
+  recalled_ = false;
+  life_.last_heard = now.steady;
+  life_.incoming.on_heartbeat(heartbeat, out);
+  life_.incoming.deliver(channels_.kind, now.mission, out);
+  owe_acknowledgement(now.steady);
+}
+
+void Peer::take_acknowledgement(const wire::Heartbeat& heartbeat, std::vector<Incoming>& out) {
+  const std::uint64_t heard = heartbeat.ack_incarnation;
+  const bool is_heard = heard == self_incarnation_;
   if (is_heard) {
     for (const std::uint64_t receipt : outgoing_.acknowledge(heartbeat.ack_sequence)) {
       out.emplace_back(EventDelivered{channels_.number, receipt});
@@ -130,34 +157,22 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
   if (is_heard && !is_heard_ && was_heard_) outgoing_.resend();
   is_heard_ = is_heard;
   was_heard_ = was_heard_ || is_heard;
-  if (!reachable_ || restarted) {
-    out.emplace_back(Reachability{channels_.number, true, restarted});
-    outgoing_.resend();
-    parts_out_.resend();
-    next_heartbeat_ = now.steady;
-  }
-  reachable_ = true;
-  outgoing_.set_contact(true);
-  parts_out_.set_contact(true);
-  recalled_ = false;
-  incarnation_ = incarnation;
-  last_heard_ = now.steady;
-  incoming_.on_heartbeat(heartbeat, out);
-  incoming_.deliver(channels_.kind, now.mission, out);
-  owe_acknowledgement(now.steady);
+  const bool is_refused = was_heard_ && heard != 0 && heard < self_incarnation_;
+  if (is_refused && !is_refused_) out.emplace_back(TakenForOlder{channels_.number, heard, false});
+  is_refused_ = is_refused;
 }
 
-bool Peer::on_old_heartbeat() {
+void Peer::on_old_heartbeat() {
   heard_old_ = true;
   if (std::exchange(heard_latest_, false)) ++rival_turns_;
-  return rival_turns_ >= kRivalTurns;
 }
 
 void Peer::become(std::uint64_t incarnation, Duration now) {
   self_incarnation_ = incarnation;
   outgoing_.become(incarnation);
   parts_out_.become(incarnation);
-  incoming_.become(incarnation);
+  life_.incoming.become(incarnation);
+  if (rival_) rival_->life.incoming.become(incarnation);
   next_heartbeat_ = now;
 }
 
@@ -195,10 +210,10 @@ void Peer::hold(wire::Sample event, std::uint64_t receipt) {
 }
 
 void Peer::recall_received(const wire::SampleHeader& header) {
-  incarnation_ = std::max(incarnation_, header.incarnation);
+  life_.incarnation = std::max(life_.incarnation, header.incarnation);
   if (header.sequence_number >= kFirstLongEvent)
-    return parts_in_.recall(header.incarnation, header.sequence_number);
-  incoming_.recall(header);
+    return life_.parts.recall(header.incarnation, header.sequence_number);
+  life_.incoming.recall(header);
 }
 
 void Peer::recall_reachable(bool reachable) {
@@ -210,8 +225,8 @@ void Peer::recall_reachable(bool reachable) {
 
 // The silence of a peer that was in reach is counted from the first update of this life.
 void Peer::update(Now now, std::vector<Incoming>& out) {
-  if (recalled_ && last_heard_ == Duration{}) last_heard_ = now.steady;
-  if (reachable_ && now.steady - last_heard_ >= silence_limit()) {
+  if (recalled_ && life_.last_heard == Duration{}) life_.last_heard = now.steady;
+  if (reachable_ && now.steady - life_.last_heard >= silence_limit()) {
     reachable_ = false;
     outgoing_.set_contact(false);
     parts_out_.set_contact(false);
@@ -235,13 +250,13 @@ bool Peer::heartbeat_due(Duration steady) const {
 wire::Heartbeat Peer::take_heartbeat(Duration steady) {
   next_heartbeat_ = steady + between_heartbeats(period_);
   acknowledge_at_.reset();
-  incoming_.acknowledged();
+  life_.incoming.acknowledged();
   wire::Heartbeat heartbeat;
   heartbeat.events_from = outgoing_.oldest();
   heartbeat.events_to = outgoing_.next_sequence() - 1;
-  heartbeat.ack_incarnation = reachable_ || heard_old_ ? incarnation_ : 0;
+  heartbeat.ack_incarnation = reachable_ || heard_old_ ? life_.incarnation : 0;
   heard_old_ = false;
-  heartbeat.ack_sequence = reachable_ ? incoming_.ack_sequence() : 0;
+  heartbeat.ack_sequence = reachable_ ? life_.incoming.ack_sequence() : 0;
   return heartbeat;
 }
 
@@ -264,13 +279,15 @@ std::uint32_t Peer::bytes_of_a_part() const {
 
 std::optional<std::variant<wire::Sample, Malformed>> Peer::on_part(const wire::Part& part, Now now,
                                                                    std::vector<Incoming>& out) {
+  if (is_refused_ || (reachable_ && part.header.incarnation != life_.incarnation))
+    return std::nullopt;
   if (part.ack_incarnation == self_incarnation_) {
     for (const std::uint64_t receipt : parts_out_.heard(part.ack_number, part.ack_bytes))
       out.emplace_back(EventDelivered{channels_.number, receipt});
   }
   if (part.number == 0) return std::nullopt;
-  auto event = parts_in_.take(part);
-  if (parts_in_.owes() && !acknowledge_parts_at_)
+  auto event = life_.parts.take(part);
+  if (life_.parts.owes() && !acknowledge_parts_at_)
     acknowledge_parts_at_ = now.steady + acknowledgement_delay();
   return event;
 }
@@ -281,14 +298,14 @@ std::optional<wire::Part> Peer::due_part(Now now) const {
   const bool owes = can_send() && acknowledge_parts_at_ && now.steady >= *acknowledge_parts_at_;
   if (!part && !owes) return std::nullopt;
   if (!part) part.emplace();
-  part->ack_incarnation = parts_in_.ack_incarnation();
-  part->ack_number = parts_in_.ack_number();
-  part->ack_bytes = parts_in_.ack_bytes();
+  part->ack_incarnation = life_.parts.ack_incarnation();
+  part->ack_number = life_.parts.ack_number();
+  part->ack_bytes = life_.parts.ack_bytes();
   return part;
 }
 
 void Peer::part_written(const wire::Part& part, Duration until) {
-  parts_in_.told();
+  life_.parts.told();
   acknowledge_parts_at_.reset();
   if (part.number != 0) parts_out_.written(part, until);
 }
@@ -330,7 +347,7 @@ std::optional<wire::Sample> Peer::take_next(Now now) {
 
 std::optional<Duration> Peer::next_wakeup() const {
   std::optional<Duration> silent;
-  if (reachable_) silent = last_heard_ + silence_limit();
+  if (reachable_) silent = life_.last_heard + silence_limit();
   if (!can_send()) return silent;
   auto write = sooner(next_heartbeat_, acknowledge_at_);
   if (!recalled_) write = sooner(write, outgoing_.next_due(round_trip()));

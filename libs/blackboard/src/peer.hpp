@@ -10,8 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "incoming_events.hpp"
-#include "incoming_parts.hpp"
+#include "life.hpp"
 #include "limited_channel.hpp"
 #include "outgoing_events.hpp"
 #include "outgoing_parts.hpp"
@@ -41,18 +40,22 @@ class Peer {
 
   const PeerChannels& channels() const { return channels_; }
   bool reachable() const { return reachable_; }
-  /// The greatest incarnation of the peer that was heard; 0: none.
-  std::uint64_t incarnation() const { return incarnation_; }
+  /// The incarnation that is taken for the peer: the greatest heard, or a smaller one that goes on
+  /// beside it (see Rival); 0: none.
+  std::uint64_t incarnation() const { return life_.incarnation; }
   /// The incarnation of this node towards the peer.
   std::uint64_t self_incarnation() const { return self_incarnation_; }
   /// Whether the peer has heard this node at some time of this life.
   bool was_heard() const { return was_heard_; }
   /// Towards the peer, which never heard this node, it has this incarnation from now on.
   void become(std::uint64_t incarnation, Duration now);
+  /// Whether this is the life before that of the peer, which may still be alive.
+  bool is_former(std::uint64_t incarnation) const;
   /// A heartbeat of an older incarnation of the peer arrived. While the latest one is silent, the
-  /// sender is told of it, since it may be a new life with too small a number. True: both were
-  /// repeatedly heard by turns, so both are alive.
-  bool on_old_heartbeat();
+  /// sender is told of it, since it may be a new life with too small a number.
+  void on_old_heartbeat();
+  /// Whether the peer and an older incarnation were repeatedly heard by turns: both are alive.
+  bool has_older_rival() const { return rival_turns_ >= kRivalTurns; }
   const OutgoingEvents& outgoing() const { return outgoing_; }
   const OutgoingParts& outgoing_parts() const { return parts_out_; }
   /// Whether the event is sent in parts; the same in every life.
@@ -74,22 +77,21 @@ class Peer {
   /// this node. `anew`: all events are written again.
   void set_way(std::size_t relays, bool heard_of, bool anew, Now now);
 
-  /// Whether it had not been here before.
-  bool on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
-                std::vector<Incoming>& out);
+  Novelty on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
+                   std::vector<Incoming>& out);
   /// It said something new in that life, with nobody in between: as long as there is contact, that
   /// goes on as with a heartbeat.
   void on_sign_of_life(std::uint64_t incarnation, Duration steady) {
-    if (reachable_ && incarnation == incarnation_) last_heard_ = steady;
+    if (reachable_ && incarnation == life_.incarnation) life_.last_heard = steady;
   }
-  /// Whether the heartbeat is newer than all before it, by incarnation then sequence; then it is
-  /// the newest.
-  bool is_news(const wire::Heartbeat& heartbeat) {
-    const std::pair version{heartbeat.header.incarnation, heartbeat.header.sequence_number};
-    if (version <= newest_heartbeat_) return false;
-    newest_heartbeat_ = version;
-    return true;
-  }
+  /// Whether samples of this incarnation are refused, because an earlier one is heard: then a
+  /// second process with the peer's number says them. Notes that it does.
+  bool refuses(std::uint64_t incarnation, Duration steady);
+  /// Whether samples of this incarnation were refused until the earlier one was silent.
+  bool was_refused(std::uint64_t incarnation) const;
+  /// Whether the heartbeat is new in its incarnation, which is at least that of the peer or that
+  /// before it; then it is the newest.
+  Novelty note(const wire::Heartbeat& heartbeat);
   void on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out);
   /// A part of a long event of the peer arrived, or an acknowledgement of own parts. Returns the
   /// event that is complete now, or why it cannot be decoded.
@@ -97,8 +99,8 @@ class Peer {
                                                                std::vector<Incoming>& out);
   /// All delivered events count as handled.
   void commit() {
-    incoming_.commit();
-    parts_in_.commit();
+    life_.commit();
+    if (rival_) rival_->life.commit();
   }
   /// Detects the loss of contact and the expiry of events.
   void update(Now now, std::vector<Incoming>& out);
@@ -132,6 +134,7 @@ class Peer {
   Duration round_trip() const;
   Duration acknowledgement_delay() const;
   void owe_acknowledgement(Duration now);
+  void take_acknowledgement(const wire::Heartbeat& heartbeat, std::vector<Incoming>& out);
   /// The part to be written now: content of an own event, or an acknowledgement of the peer's.
   std::optional<wire::Part> due_part(Now now) const;
   void part_written(const wire::Part& part, Duration until);
@@ -139,6 +142,18 @@ class Peer {
   /// Parts are sent only while there is contact in both directions.
   bool sends_parts() const { return can_send() && reachable_ && is_heard_ && !recalled_; }
   void limit(double capacity, Duration now);
+
+  // Two processes with the peer's number (peer_rivals.cpp).
+
+  /// The life with this incarnation; a later one than the peer's is kept apart until its first
+  /// heartbeat. Null: there is none.
+  Life* life_of(std::uint64_t incarnation, Duration steady);
+  /// That incarnation is the peer from now on.
+  void follow(std::uint64_t incarnation, Duration steady);
+  /// The life before this one has said something new. Whether it is the peer again.
+  bool former_goes_on(Duration steady);
+  void forget_silent_rival(Duration steady);
+
   Duration silence_limit() const;
   /// Whether samples can reach the peer, as far as is known here.
   bool can_send() const { return relays_ > 0 || out_condition_.up; }
@@ -146,27 +161,28 @@ class Peer {
   PeerChannels channels_;
   const Config* config_;
   std::unique_ptr<LimitedChannel> limited_;
+  /// After one, an old heartbeat may only be late.
+  static constexpr int kRivalTurns = 3;
+
   std::uint64_t self_incarnation_;
   Duration period_;
   ChannelCondition out_condition_;
   ChannelCondition in_condition_;
   OutgoingEvents outgoing_;
-  IncomingEvents incoming_;
   OutgoingParts parts_out_;
-  IncomingParts parts_in_;
+  Life life_;
+  std::unique_ptr<Rival> rival_;
   std::size_t relays_ = 0;
   bool heard_of_ = false;
   bool turn_of_passing_ = false;
   bool reachable_ = false;
-  bool is_heard_ = false;          ///< the peer hears this node, by its last heartbeat
-  bool was_heard_ = false;         ///< the peer heard this node at some time of this life
-  bool heard_old_ = false;         ///< an older incarnation since the last heartbeat to the peer
-  bool heard_latest_ = false;      ///< the latest incarnation since the last of an older one
-  int rival_turns_ = 0;            ///< changes from the latest incarnation to an older one
-  bool recalled_ = false;          ///< the peer was not heard yet since this life began
-  std::uint64_t incarnation_ = 0;  ///< of the peer; 0: never heard
-  std::pair<std::uint64_t, std::uint64_t> newest_heartbeat_;
-  Duration last_heard_;
+  bool is_heard_ = false;      ///< the peer hears this node, by its last heartbeat
+  bool was_heard_ = false;     ///< the peer heard this node at some time of this life
+  bool heard_old_ = false;     ///< an older incarnation since the last heartbeat to the peer
+  bool heard_latest_ = false;  ///< the latest incarnation since the last of an older one
+  int rival_turns_ = 0;        ///< changes from the latest incarnation to an older one
+  bool is_refused_ = false;    ///< the peer takes another process for this node
+  bool recalled_ = false;      ///< the peer was not heard yet since this life began
   Duration next_heartbeat_;
   std::optional<Duration> acknowledge_at_;
   std::optional<Duration> acknowledge_parts_at_;

@@ -303,6 +303,10 @@ TEST_P(ForeignWriters, OldStatesThatAreReplayedDoNotComeAfterNewOnes) {
 
   ASSERT_TRUE(run_until([&] { return degrees().size() == 3; }));
   EXPECT_THAT(degrees(), ElementsAre(2, 3, 4));
+  ASSERT_EQ(reports<Dropped>().size(), 1U);
+  EXPECT_EQ(reports<Dropped>()[0].slot, wire::Slot::kAutonomyDegree);
+  EXPECT_EQ(reports<Dropped>()[0].field, "header.sequence_number");
+  EXPECT_TRUE(reports<Dropped>()[0].first);
 }
 
 TEST_P(ForeignWriters, EventsThatAreReplayedAreHandledOnce) {
@@ -322,9 +326,19 @@ TEST_P(ForeignWriters, EventsThatAreReplayedAreHandledOnce) {
     return handled() > 0;
   }));
 
-  for (int i = 0; i < 20; ++i) ASSERT_TRUE(says->write(bytes_of(event)));
+  ++beat.events_from;  // its sender has the acknowledgement
+  ++beat.header.sequence_number;
+  ASSERT_TRUE(beats->write(bytes_of(beat)));
+  ASSERT_TRUE(run_until([&] {
+    says->write(bytes_of(event));
+    return reports<Dropped>().size() > 5;
+  }));
 
-  EXPECT_FALSE(run_until([&] { return handled() > 1; }, 0.5));
+  EXPECT_EQ(handled(), 1U);
+  const auto dropped = reports<Dropped>();
+  EXPECT_EQ(dropped[0].field, "header.sequence_number");
+  EXPECT_TRUE(dropped[0].first);
+  EXPECT_FALSE(dropped[1].first);
 }
 
 TEST_P(ForeignWriters, ASecondNodeOfTheSameNameIsTheOlderOfTheTwoAndNotHeard) {
@@ -337,6 +351,35 @@ TEST_P(ForeignWriters, ASecondNodeOfTheSameNameIsTheOlderOfTheTwoAndNotHeard) {
 
   ASSERT_TRUE(run_until([&] { return degrees().size() == 2; }));
   EXPECT_THAT(degrees(), ElementsAre(4, 5));
+}
+
+TEST_P(ForeignWriters, ASecondNodeOfTheSameNameIsTheLaterOfTheTwoAndRefusedWhileTheFirstIsHeard) {
+  const auto marvin = writer(wire::Slot::kHeartbeat);
+  const auto other = writer(wire::Slot::kHeartbeat);
+  const auto others_degree = writer(wire::Slot::kAutonomyDegree);
+  std::uint64_t sequence = 0;
+  const auto beat = [&](ForeignWriter& by, std::uint64_t incarnation) {
+    auto heartbeat = said_by_marvin<wire::Heartbeat>(++sequence, incarnation);
+    heartbeat.header.destination = kGround.number.value();
+    by.write(bytes_of(heartbeat));
+  };
+  ASSERT_TRUE(run_until([&] {
+    beat(*marvin, 20);
+    return !reports<Reachability>().empty();
+  }));
+  ASSERT_TRUE(run_until([&] {
+    beat(*other, 50);
+    beat(*marvin, 20);
+    others_degree->write(bytes_of(degree(++sequence, 1, 50)));
+    return reports<Dropped>().size() > 20;
+  }));
+
+  const auto dropped = reports<Dropped>();
+  EXPECT_EQ(dropped[0].field, "header.incarnation");
+  EXPECT_EQ(dropped[0].why, "is of a second node with this name, while the first is heard");
+  std::size_t named = 0;
+  for (const Dropped& one : dropped) named += one.first ? 1 : 0;
+  EXPECT_EQ(named, 2U) << "and the tenth time";
 }
 
 std::string name_of_pair(const ::testing::TestParamInfo<Pair>& info) {

@@ -266,7 +266,7 @@ TEST(Freshness, TheNewestByIncarnationThenSequenceWins) {
     header.origin = 1;
     header.incarnation = incarnation;
     header.sequence_number = sequence;
-    return freshness.admit(wire::Slot::kPlanBoard, header);
+    return freshness.admit(wire::Slot::kPlanBoard, header) == Novelty::kNew;
   };
 
   EXPECT_TRUE(admit(1, 5));

@@ -9,8 +9,8 @@
 namespace skein::blackboard::cyclonedds {
 
 /// Runs `call` in a thread of its own and waits for its end, at most `limit` on the steady clock.
-/// False: it has not ended, and the thread goes on; everything that the call uses has to be kept
-/// alive then.
+/// False: the call has not returned, and its thread goes on: everything that it uses must stay
+/// alive.
 bool returns_within(Duration limit, std::function<void()> call);
 
 }  // namespace skein::blackboard::cyclonedds

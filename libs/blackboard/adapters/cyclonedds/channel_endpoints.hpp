@@ -16,7 +16,8 @@ struct ddsi_sertype;
 
 namespace skein::blackboard::cyclonedds {
 
-/// Those of a participant, each made when it is first needed and owned by the participant.
+/// The endpoints of a participant, each created when it is first needed and owned by the
+/// participant.
 class Topics {
  public:
   struct Topic {
@@ -34,8 +35,9 @@ class Topics {
 
 class ChannelEndpoints final : public rtps::Endpoints {
  public:
-  /// Of a participant that was joined. It, the topics, the mailbox and the matches outlive every
-  /// call, though the participant, which deletes what it still has, not this object.
+  /// Precondition: the participant exists. It, the topics, the mailbox and the matches must be
+  /// alive at each call. The participant may end before this object, and deletes the remaining
+  /// endpoints.
   ChannelEndpoints(const dds_entity_t& participant, Topics& topics, const rtps::LinkPlan& link,
                    std::size_t channel, rtps::Mailbox& mailbox, rtps::Matches& matches);
 
@@ -48,7 +50,7 @@ class ChannelEndpoints final : public rtps::Endpoints {
 
  private:
   Result<void, Failure> made(dds_return_t code) const;
-  /// Null: nobody wants to know what its writer finds.
+  /// Null: the matches of its writer are not reported.
   dds_listener_t* listener_of(wire::Slot slot);
 
   const dds_entity_t& participant_;

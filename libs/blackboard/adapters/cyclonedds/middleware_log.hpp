@@ -9,8 +9,8 @@
 
 namespace skein::blackboard::cyclonedds {
 
-/// Diverts what Cyclone DDS says of one domain of this process to `sink` for as long as it lives;
-/// an empty sink swallows it. Nothing goes to the console in any case.
+/// Diverts the log of Cyclone DDS for one domain of this process to `sink` for the lifetime of the
+/// object; an empty sink discards it. Nothing goes to the console in any case.
 class MiddlewareLog {
  public:
   MiddlewareLog(dds_domainid_t domain, std::function<void(const std::string&)> sink);

@@ -16,7 +16,7 @@ struct DeleteQos {
 };
 using Qos = std::unique_ptr<dds_qos_t, DeleteQos>;
 
-/// Of a publisher or subscriber.
+/// The QoS of a publisher or subscriber.
 Qos partition_qos(const std::string& partition);
 
 /// Source: spec 1.3 (table of classes); the same limits as over Fast DDS.

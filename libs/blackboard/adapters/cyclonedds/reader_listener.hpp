@@ -11,14 +11,15 @@
 
 namespace skein::blackboard::cyclonedds {
 
-/// Takes what a reader has, at once, in the middleware's thread; one for each reader.
+/// Takes all samples of a reader as soon as they arrive, in the middleware's thread; one for each
+/// reader.
 class ReaderListener {
  public:
-  /// The mailbox outlives it.
+  /// The mailbox must outlive the listener.
   ReaderListener(rtps::Mailbox& mailbox, std::size_t channel, wire::Slot slot)
       : mailbox_(mailbox), channel_(channel), slot_(slot) {}
 
-  /// Negative: the reader could not be made.
+  /// Negative: the error code with which the creation of the reader failed.
   dds_entity_t make_reader(dds_entity_t subscriber, dds_entity_t topic, const dds_qos_t& qos);
 
  private:

@@ -22,11 +22,11 @@ namespace skein::blackboard::cyclonedds {
 /// information goes out. Made for dds_create_topic_sertype(), which then owns it.
 ddsi_sertype* make_sample_type(wire::Slot slot);
 
-/// A sample on its way out, with one reference, which the writer takes over (dds_writecdr).
+/// An outgoing sample with one reference, which the writer takes over (dds_writecdr).
 ddsi_serdata* make_outgoing(const ddsi_sertype& type, const wire::Sample& sample);
 
-/// The CDR of what came in, behind its 4-byte header; empty if only its key came. Up to three bytes
-/// of padding may follow the last field.
+/// The CDR of a received sample, behind its 4-byte header; empty if only the key was received. Up
+/// to three bytes of padding may follow the last field.
 std::span<const std::uint8_t> bytes_of(const ddsi_serdata& data);
 
 /// origin, instance and destination, big-endian, filled up with zeros. Source: RTPS 2.3, 9.6.3.8.

@@ -50,10 +50,14 @@ std::string settings(const DdsConfig& config, std::uint32_t number, const rtps::
       element("AllowMulticast", config.network.multicast ? "spdp" : "false") +
       sizes(config.network);
   // A domain within a process is created once; its number on the network is another thing.
-  const std::string discovery = element("ExternalDomainId", std::to_string(config.domain)) +
-                                element("ParticipantIndex", std::to_string(number)) +
-                                element("SPDPInterval", ms(pace.announcement)) +
-                                element("LeaseDuration", ms(pace.lease)) + peers(config);
+  // Where no interface carries multicast, Cyclone DDS ignores ParticipantIndex and takes the first
+  // free index up to MaxAutoParticipantIndex, of which 10 are not enough.
+  const std::string discovery =
+      element("ExternalDomainId", std::to_string(config.domain)) +
+      element("ParticipantIndex", std::to_string(number)) +
+      element("MaxAutoParticipantIndex", std::to_string(rtps::kParticipants - 1)) +
+      element("SPDPInterval", ms(pace.announcement)) + element("LeaseDuration", ms(pace.lease)) +
+      peers(config);
   // A writer that is deleted is cut off: it must not stay to say what it had left to say. And one
   // must not wait for readers that are slow: its history is bounded, and sessions do the rest.
   const std::string internal =

@@ -14,7 +14,7 @@ class WallClock {
  public:
   using Wall = std::chrono::system_clock::time_point;
   using Steady = std::chrono::steady_clock::time_point;
-  /// What is corrected slowly stays below: 500 ppm of a minute without a look.
+  /// Slow corrections of the clock stay below it: 500 ppm of one minute between two calls.
   static constexpr std::chrono::milliseconds kSet{30};
 
   /// True if it was set back, by more than kSet, since it was last looked at.

@@ -14,7 +14,8 @@
 
 namespace skein::blackboard::fastdds {
 
-/// Those of a participant, each made when it is first needed and owned by the participant.
+/// The endpoints of a participant, each created when it is first needed and owned by the
+/// participant.
 class Topics {
  public:
   explicit Topics(const Participation& participation) : participation_(participation) {}
@@ -28,8 +29,8 @@ class Topics {
 
 class ChannelEndpoints final : public rtps::Endpoints {
  public:
-  /// Of a participation that was joined. It and the topics outlive every call, though not this
-  /// object: the participant deletes what it still has.
+  /// Precondition: the participation has joined its domain. It and the topics must be alive at each
+  /// call, but may end before this object: the participant deletes the remaining endpoints.
   ChannelEndpoints(const Participation& participation, Topics& topics, const rtps::LinkPlan& link,
                    std::unique_ptr<SampleListener> listener,
                    std::unique_ptr<WriterListener> of_writers);

@@ -8,7 +8,7 @@
 namespace skein::blackboard::fastdds {
 
 /// Diverts the log of Fast DDS, one per process, to `sink` for as long as it lives; an empty sink
-/// swallows it. The last one made wins. Nothing goes to the console in any case.
+/// discards it. Of several objects the last one counts. Nothing goes to the console in any case.
 class MiddlewareLog {
  public:
   explicit MiddlewareLog(std::function<void(const std::string&)> sink);

@@ -15,22 +15,22 @@
 
 namespace skein::blackboard::fastdds {
 
-/// A participant, and what is held for it. No profile file on the way to it has any effect.
+/// A participant with its number and listener. Profile files of Fast DDS have no effect on it.
 class Participation {
  public:
   Participation() = default;
   Participation(const Participation&) = delete;
   Participation& operator=(const Participation&) = delete;
-  /// Takes leave with all that the participant contains.
+  /// Deletes the participant and all its entities.
   ~Participation();
 
-  /// Once. The listener, which may be null, outlives it. The failure says all that is wrong with
-  /// the configuration.
+  /// Joins the domain; to be called once. The listener (may be null) must outlive this object. The
+  /// failure names all errors of the configuration.
   Result<void, Failure> join(const DdsConfig& config,
                              eprosima::fastdds::dds::DomainParticipantListener* listener,
                              const rtps::Pace& pace = {});
   eprosima::fastdds::dds::DomainParticipant* participant() const { return participant_; }
-  /// The folder with this node's; empty: the domain is open to anybody.
+  /// The folder with this node's keys; empty: the domain is not secured.
   const std::string& keys() const { return keys_; }
   /// Of a secured domain.
   const std::optional<Identities>& identities() const { return identities_; }

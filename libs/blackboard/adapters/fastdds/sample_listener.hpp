@@ -14,7 +14,8 @@
 
 namespace skein::blackboard::fastdds {
 
-/// Takes what a reader has, at once, in the middleware's thread; one for each channel.
+/// Takes all samples of a reader as soon as they arrive, in the middleware's thread; one for each
+/// channel.
 class SampleListener final : public eprosima::fastdds::dds::DataReaderListener {
  public:
   struct Place {
@@ -22,12 +23,12 @@ class SampleListener final : public eprosima::fastdds::dds::DataReaderListener {
     ChannelConfig config;
     NodeNumber self;
   };
-  /// Who may write, in a secured domain; both outlive the listener.
+  /// The nodes that may write, in a secured domain; both members must outlive the listener.
   struct Writers {
     const Identities* identities = nullptr;  ///< null: anybody
     const std::map<NodeNumber, std::string>& names;
   };
-  /// The mailbox outlives it.
+  /// The mailbox must outlive the listener.
   SampleListener(rtps::Mailbox& mailbox, Place place, const Writers& writers)
       : mailbox_(mailbox), place_(std::move(place)), writers_(writers) {}
 
@@ -38,9 +39,10 @@ class SampleListener final : public eprosima::fastdds::dds::DataReaderListener {
 
   /// Where a partition is shared, our readers also match our own writers.
   bool is_own(const Cargo& cargo) const;
-  /// The header of a forged sample is all zero: it has no place in the session of him it names.
+  /// A forged sample gets a header of zeros, so that it has no effect on the session of the node
+  /// that it names.
   void check_writer(Cargo& cargo, const Prefix& writer) const;
-  /// Who made it, or who may pass it on for him (docs/threats.md).
+  /// Whether the writer is the origin or a relay that may forward its samples (docs/threats.md).
   bool is_entitled(const wire::Sample& sample, const std::string& origin,
                    const Prefix& writer) const;
 

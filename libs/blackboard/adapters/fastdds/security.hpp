@@ -19,10 +19,10 @@ namespace skein::blackboard::fastdds {
 Result<eprosima::fastrtps::rtps::PropertyPolicy, Failure> security_properties(
     const std::string& folder);
 
-/// Whose GUIDs are whose: the first six bytes of a secured participant's GUID follow from the
+/// Maps GUIDs to nodes: the first six bytes of a secured participant's GUID follow from the
 /// subject of its certificate, which the handshake verifies. Fast DDS 2.9 checks what a remote
-/// participant writes by topic only, not by partition; by this the blackboard knows who wrote.
-/// Source: DDS-Security 1.1, 9.3.3 (participant_key).
+/// participant writes by topic only, not by partition; with this map the blackboard knows the
+/// writing node. Source: DDS-Security 1.1, 9.3.3 (participant_key).
 class Identities {
  public:
   /// Of the file `nodes` in the folder: a name and twelve hexadecimal digits in each line.

@@ -16,7 +16,7 @@
 namespace skein::blackboard::fastdds {
 
 /// Listens to the discovery of one participant and to all of its readers, in the middleware's
-/// threads, and keeps what they say until somebody takes it. Readers read a RawType.
+/// threads, and keeps the results until they are taken. Its readers read a RawType.
 class Sightings final : public eprosima::fastdds::dds::DomainParticipantListener {
  public:
   std::vector<Sighting> take();

@@ -16,14 +16,15 @@
 
 namespace skein::blackboard::fastdds {
 
-/// Fast DDS has a socket for each interface that it may use, and says everything from every one of
-/// them to each destination: whatever the routes, a machine with a radio and a cable says all twice
-/// over its radio. Here a datagram for one machine leaves from the address that the system's routes
-/// choose; what is for a group leaves from all. Source: Fast DDS 2.9, UDPTransportInterface.
+/// Fast DDS has a socket for each interface that it may use, and sends each datagram to each
+/// destination from all of them: whatever the routes, a machine with a radio and a cable sends all
+/// twice over its radio. Here a unicast datagram leaves from the address that the system's routes
+/// choose; a multicast datagram leaves from all. Source: Fast DDS 2.9, UDPTransportInterface.
 ///
-/// What is sent is no longer than asked for; what others send may be (Cyclone DDS: 14,720 bytes).
-/// Fast DDS has one number for both. With keys Fast DDS must not be told, since the messages of its
-/// handshakes do not go in parts; then what it puts together is taken apart here.
+/// Outgoing datagrams are bounded by the configured length; incoming ones may be longer (Cyclone
+/// DDS: 14,720 bytes). Fast DDS has one number for both. With keys Fast DDS must not know the
+/// bound, since it does not send the messages of its handshakes in parts; then longer messages are
+/// divided here.
 struct SinglePathDescriptor : eprosima::fastdds::rtps::ChainingTransportDescriptor {
   /// `addresses`: those of the interfaces that `udp` may use; `longest`: of what is sent [byte],
   /// and whether Fast DDS is to know it.

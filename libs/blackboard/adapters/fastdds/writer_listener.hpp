@@ -11,7 +11,8 @@
 
 namespace skein::blackboard::fastdds {
 
-/// One for each channel. Thread rule: called by the middleware's threads.
+/// Notes the matches of the writers of a channel; one for each channel. Thread rule: called by the
+/// middleware's threads.
 class WriterListener final : public eprosima::fastdds::dds::DataWriterListener {
  public:
   /// `matches` outlives it.

@@ -45,6 +45,7 @@ class Forwarding {
   void on_sign_of_life(NodeNumber from, Duration steady) { router_.on_sign_of_life(from, steady); }
   /// Of others, for another, that came over that channel. Nothing: it ends here.
   std::optional<Handed> pass_on(const ChannelConfig& from, wire::Sample sample);
+  void forget(NodeNumber origin) { passed_on_.forget(origin.value()); }
   /// Learns another node's link report, and returns it for the nodes that it is to be flooded to.
   std::vector<Handed> learn(wire::Neighbours report);
 

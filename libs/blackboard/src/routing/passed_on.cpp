@@ -29,6 +29,13 @@ void PassedOn::keep(const wire::Sample& state) {
       Key{header.destination, wire::slot_of(state), header.origin, header.instance}, state);
 }
 
+void PassedOn::forget(std::uint32_t origin) {
+  const auto is_of = [&](const auto& one) { return std::get<2>(one.first) == origin; };
+  std::erase_if(newest_, is_of);
+  std::erase_if(states_, is_of);
+  std::erase_if(held_from_, [&](const auto& one) { return one.first.first == origin; });
+}
+
 std::vector<wire::Sample> PassedOn::states_for(NodeNumber destination) const {
   std::vector<wire::Sample> states;
   for (auto one = states_.lower_bound({destination.value(), wire::Slot{}, 0, 0});

@@ -24,6 +24,8 @@ class PassedOn {
   bool admit(const wire::Sample& sample);
   /// Keeps a state as it is forwarded.
   void keep(const wire::Sample& state);
+  /// What this origin said last counts no more: it is another process from now on.
+  void forget(std::uint32_t origin);
   /// The states for one destination, in an order that depends on the states only.
   std::vector<wire::Sample> states_for(NodeNumber destination) const;
 

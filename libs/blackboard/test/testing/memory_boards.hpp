@@ -14,20 +14,23 @@
 
 namespace skein::blackboard::testing {
 
-/// What the boards hand over goes to `see`, in the order of the nodes' numbers.
+/// What the boards hand over goes to `see`, in the order of the nodes' numbers. A second process
+/// with the number of a node is started and addressed under another number (`process`).
 class MemoryBoards {
  public:
   explicit MemoryBoards(std::function<void(NodeNumber, Incoming&&)> see) : see_(std::move(see)) {}
 
   /// Anew, if it is there already.
-  void start(const Config& config) {
-    End& end = ends_[config.self];
+  void start(const Config& config) { start(config.self, config); }
+  void start(NodeNumber process, const Config& config) {
+    End& end = ends_[process];
     end.board.reset();
     end.transport = std::make_unique<MemoryTransport>(hub_);
     end.board = std::make_unique<Blackboard>(std::move(*Blackboard::open(config, *end.transport)));
   }
-  void kill(NodeNumber node) { ends_.erase(node); }
-  Blackboard& operator[](NodeNumber node) { return *ends_.at(node).board; }
+  void kill(NodeNumber process) { ends_.erase(process); }
+  bool runs(NodeNumber process) const { return ends_.contains(process); }
+  Blackboard& operator[](NodeNumber process) { return *ends_.at(process).board; }
   MemoryHub& hub() { return hub_; }
 
   /// Of the channels between two nodes, in both directions, at everybody.

@@ -68,7 +68,7 @@ struct RequestReply {
   RequestKind kind = RequestKind::kStart;
   std::uint64_t id = 0;  ///< of the task or the unit mission, where there is one
   bool accepted = false;
-  std::string why;  ///< of a refusal: all reasons, separated by "; "
+  std::string why;  ///< reasons of a refusal, separated by "; "
   bool operator==(const RequestReply&) const = default;
 };
 SKEIN_WIRE_FIELDS(RequestReply, header, command, kind, id, accepted, why)
@@ -194,20 +194,20 @@ constexpr auto names_of(MissionPlacement) {
   return std::to_array<std::string_view>({"best", "last", "in-time", "tour", "first"});
 }
 
-/// A unit mission for a UAV at degree 4; or, with `cancel`, high-level tasks that are to be given
-/// up. Source: spec 6.2 (0), (2).
+/// A unit mission for a UAV at degree 4; with `cancel`, a request to cancel high-level tasks.
+/// Source: spec 6.2 (0), (2).
 struct MissionRequest {
   SampleHeader header;
   std::uint64_t command = 0;  ///< the sender's number for it, given back in the reply
   bool cancel = false;
-  std::uint64_t unit_mission = 0;  ///< cancel: 0: not by mission
+  std::uint64_t unit_mission = 0;  ///< its id; with `cancel`: all its tasks; 0: see `goals`
   MissionPlacement placement = MissionPlacement::kBest;
-  bool interrupt = false;  ///< what is under way is interrupted
-  bool evaluate = false;  ///< nothing is adopted: what it would cost is answered
-  bool achieve_any = false;  ///< what of it cannot be planned is left out; else it is all or nothing
+  bool interrupt = false;  ///< with PLACEMENT_FIRST: running tasks are interrupted, later resumed
+  bool evaluate = false;  ///< only the cost is asked for: the plan is not adopted
+  bool achieve_any = false;  ///< tasks without a plan are left out; false: all tasks or none
   std::string asked_by;
-  std::vector<MissionTask> tasks;  ///< in the order wanted; cancel: none
-  std::vector<std::uint64_t> goals;  ///< cancel only; none, and no mission: all
+  std::vector<MissionTask> tasks;  ///< in the preferred order; with `cancel`: empty
+  std::vector<std::uint64_t> goals;  ///< with `cancel`: ids of tasks; empty, and no mission: all
   bool operator==(const MissionRequest&) const = default;
 };
 SKEIN_WIRE_FIELDS(MissionRequest, header, command, cancel, unit_mission, placement, interrupt,
@@ -225,24 +225,24 @@ struct DegreeCommand {
 };
 SKEIN_WIRE_FIELDS(DegreeCommand, header, command, degree, interrupt, resume, asked_by)
 
-/// The world is not as it was thought to be: a volume of air is closed or opened again, a place is
-/// known, cells of the ground are. What is not of its part does not count.
+/// Change of the world model: WORLD_AIR: closed air (name to until); WORLD_PLACE: a named place
+/// (name, at, radius, cells); WORLD_GROUND: an area of ground (corners, risk, mapped, cells).
 struct WorldChange {
   SampleHeader header;
   std::uint64_t command = 0;
-  bool remove = false;  ///< the volume of that name is no longer there; the rest does not count
+  bool remove = false;  ///< the volume `name` is open again; no other field counts
   std::string name;
-  std::vector<double> corners;  ///< [m] x, y of each corner
-  double floor = 0;  ///< [m]; at or below -1e9: none
-  double ceiling = 0;  ///< [m]; at or above 1e9: none
-  std::int64_t from = 0;  ///< [ns]
-  std::int64_t until = kNever;  ///< [ns]
+  std::vector<double> corners;  ///< [m] ENU; x, y of each corner of the polygon
+  double floor = 0;  ///< [m] height; at or below -1e9: none
+  double ceiling = 0;  ///< [m] height; at or above 1e9: none
+  std::int64_t from = 0;  ///< [ns] mission time when the volume closes
+  std::int64_t until = kNever;  ///< [ns] mission time when it opens
   WorldPart part = WorldPart::kAir;
-  Vector3 at;  ///< [m] of a place
-  double radius = 0;  ///< [m] of what is at the place
-  double risk = -1;  ///< of the ground; below 0: as before
-  bool mapped = false;
-  CellChange cells = CellChange::kAsBefore;  ///< within the corners, or around the place
+  Vector3 at;  ///< [m] ENU; position of the place
+  double radius = 0;  ///< [m] of the object at the place
+  double risk = -1;  ///< risk of the ground in the area, in [0, 1]; below 0: unchanged
+  bool mapped = false;  ///< the area has been mapped
+  CellChange cells = CellChange::kAsBefore;  ///< new state of the cells there
   bool operator==(const WorldChange&) const = default;
 };
 SKEIN_WIRE_FIELDS(WorldChange, header, command, remove, name, corners, floor, ceiling, from, until,
@@ -254,11 +254,11 @@ struct MissionOutcome {
   std::string uav;
   std::uint64_t unit_mission = 0;
   bool planned = false;
-  std::vector<std::string> reasons;  ///< why not
-  bool evaluated = false;  ///< nothing was adopted; with `planned` the rest counts
+  std::vector<std::string> reasons;  ///< why it was not planned
+  bool evaluated = false;  ///< only the cost was asked for: the plan was not adopted
   MissionPlacement placement = MissionPlacement::kBest;
-  double cost = 0;  ///< that it would add
-  double energy = 0;  ///< that it would add
+  double cost = 0;  ///< added to the plan's cost
+  double energy = 0;  ///< added to the plan's energy
   std::int64_t earliest_end = 0;  ///< [ns]
   std::int64_t latest_end = 0;  ///< [ns]
   std::int64_t plan_end = 0;  ///< [ns]

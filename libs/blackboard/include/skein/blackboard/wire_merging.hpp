@@ -26,19 +26,19 @@ struct AirVolume {
 };
 SKEIN_WIRE_FIELDS(AirVolume, from_x, from_y, to_x, to_y, radius, floor_z, ceiling_z)
 
-/// What one UAV has of the air and wants, to one other.
+/// One UAV's reserved and requested air, and its answer to the receiver. Source: decision 19.
 struct MergeMessage {
   SampleHeader header;
-  std::uint64_t number = 0;
-  std::vector<AirVolume> held;
-  std::uint64_t request = 0;
-  std::vector<AirVolume> wanted;
-  std::vector<std::string> waits_for;
-  bool keeps = false;  ///< to the ground station: it is to keep what is wanted for when nobody is in reach
-  std::uint64_t answered = 0;
-  bool granted = false;
-  bool asks = false;
-  std::string of;  ///< from the ground station: whose word it passes on; empty: its own
+  std::uint64_t number = 0;  ///< of the message; increases, also over restarts
+  std::vector<AirVolume> held;  ///< reserved volumes: no other UAV may enter
+  std::uint64_t request = 0;  ///< number of the open request; 0: none
+  std::vector<AirVolume> wanted;  ///< volumes that the request asks for
+  std::vector<std::string> waits_for;  ///< UAVs that hold some of `wanted`
+  bool keeps = false;  ///< to the ground station: a request to keep `wanted` free in advance
+  std::uint64_t answered = 0;  ///< number of the receiver's request that is answered; 0: none
+  bool granted = false;  ///< the answer
+  bool asks = false;  ///< the sender expects an answer
+  std::string of;  ///< from the ground station: the UAV whose message it forwards; empty: its own
   bool operator==(const MergeMessage&) const = default;
 };
 SKEIN_WIRE_FIELDS(MergeMessage, header, number, held, request, wanted, waits_for, keeps, answered,

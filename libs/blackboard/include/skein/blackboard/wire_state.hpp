@@ -221,30 +221,30 @@ struct BoardDecision {
 };
 SKEIN_WIRE_FIELDS(BoardDecision, number, applied, cause, outcome, began)
 
-/// What the ground station knows of a UAV, for operators: as it came by radio, not as it is. World
-/// channel; the instance is the UAV's node number.
+/// State of a UAV as last received by the ground station, for operators. World channel; the
+/// instance is the UAV's node number.
 struct UavBoard {
   SampleHeader header;
   std::string uav;
   std::uint8_t degree = 0;
   bool reachable = false;
   bool airborne = false;
-  std::string holder;  ///< the operator who has it in hand; empty: none
-  std::string asker;  ///< who asks for it meanwhile
-  std::int64_t passes_at = kNoInstant;  ///< [ns] when it is the asker's, unless it is kept
-  std::int64_t located_at = kNoInstant;  ///< [ns] when the five below were so; absent: unknown
-  Vector3 position;  ///< [m]
+  std::string holder;  ///< operator who controls the UAV; empty: none
+  std::string asker;  ///< operator who has asked the holder for control; empty: none
+  std::int64_t passes_at = kNoInstant;  ///< [ns] when control passes to `asker` if not refused
+  std::int64_t located_at = kNoInstant;  ///< [ns] time of position to energy; kNoInstant: unknown
+  Vector3 position;  ///< [m] ENU
   Vector3 velocity;  ///< [m/s]
   double heading = 0;  ///< [rad]
-  double energy = 0;  ///< what is left, in [0, 1]
-  std::uint32_t waiting = 0;  ///< commands that are not answered yet
-  std::uint32_t held = 0;  ///< tasks that it handed over and nobody carries out
+  double energy = 0;  ///< remaining share, in [0, 1]
+  std::uint32_t waiting = 0;  ///< number of unanswered commands
+  std::uint32_t held = 0;  ///< number of tasks handed over to the ground that nobody executes
   bool operator==(const UavBoard&) const = default;
 };
 SKEIN_WIRE_FIELDS(UavBoard, header, uav, degree, reachable, airborne, holder, asker, passes_at,
     located_at, position, velocity, heading, energy, waiting, held)
 
-/// Likewise, what it does and means to do.
+/// Tasks, plan and goals of a UAV, like UavBoard.
 struct UavTasks {
   SampleHeader header;
   std::string uav;

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lives of one peer: incarnations, each with the receiving half of its event session.
+#pragma once
+
+#include <cstdint>
+
+#include "incoming_events.hpp"
+#include "incoming_parts.hpp"
+#include "skein/foundation/time.hpp"
+
+namespace skein::blackboard {
+
+/// What was heard of one incarnation of a peer.
+struct Life {
+  Life(NodeNumber self, std::uint64_t self_incarnation) : incoming(self, self_incarnation) {}
+  void commit() {
+    incoming.commit();
+    parts.commit();
+  }
+
+  std::uint64_t incarnation = 0;       ///< 0: no heartbeat was heard
+  std::uint64_t newest_heartbeat = 0;  ///< its sequence number
+  Duration last_heard;                 ///< steady
+  IncomingEvents incoming;
+  IncomingParts parts;
+};
+
+/// Another life beside the one that is taken for the peer. It is forgotten after three heartbeat
+/// periods of silence.
+///
+/// | the rival is                | when                                                     | it |
+/// |-----------------------------|----------------------------------------------------------|----|
+/// | a newcomer                  | its events came before its first heartbeat               |
+/// becomes the peer with that heartbeat | | the former life             | a later one was heard
+/// while it was not yet silent        | becomes the peer again with kWords new heartbeats of at
+/// least two periods: it is alive | | a second process (refused)  | the former life has become the
+/// peer again                | becomes the peer once that is silent |
+///
+/// So a restart is followed at once, and of two processes that run at the same time the one that
+/// was heard first is the peer. Source: docs/decisions/0072.
+struct Rival {
+  /// New heartbeats of the former life that show that it is alive: some may only be late.
+  static constexpr int kWords = 3;
+
+  Life life;
+  Duration since = {};  ///< steady time when the present life became the peer
+  int words = 0;        ///< new heartbeats of the former life since then
+  bool is_refused = false;
+};
+
+}  // namespace skein::blackboard
