@@ -178,7 +178,7 @@ TEST_P(DdsBadInput, IsRefusedCountedAndNamedOnceByEveryDaemonAndTheMissionIsFlow
 
 // Among them the clock, commands, task events and heartbeats; each of what the mission says
 // meanwhile.
-TEST_P(DdsBadInput, WhatWasSaidBeforeAndIsPlayedAgainIsHandledOnce) {
+TEST_P(DdsBadInput, WhatWasSaidBeforeAndIsPlayedAgainIsHandledOnceAndNamed) {
   start();
   const std::string recording = run.file("old.mcap").string();
 
@@ -187,6 +187,7 @@ TEST_P(DdsBadInput, WhatWasSaidBeforeAndIsPlayedAgainIsHandledOnce) {
 
   EXPECT_EQ(played.code, 0) << played.text;
   expect_mission_as_if_nothing_had_been();
+  EXPECT_GT(run.count("dropped", "field", "header.sequence_number"), 0U);
   EXPECT_EQ(breaches_beyond_clocks(run.records(), kRate), "");
 }
 
