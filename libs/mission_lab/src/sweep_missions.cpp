@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Several UAVs at degree 4 that search or map areas which lie beside or over each other.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,8 +11,9 @@ namespace skein::mission_lab {
 
 namespace {
 
-constexpr double kLatest = 400;  // of cuts [s]
-constexpr double kMiddle = 350;  // of the areas [m]
+constexpr double kLatest = 400;                        // of cuts [s]
+constexpr double kMiddle = 350;                        // of the areas [m]
+constexpr double kWest = kMiddle - 300, kEast = 1180;  // of their row: the terrain ends at 1200
 
 class SweepDrawing {
  public:
@@ -29,7 +31,8 @@ class SweepDrawing {
                     ", gusts: " + tenths(random_.uniform(0, 0.5));
     const std::size_t sweepers = 2 + random_.below(3), passers = random_.below(3);
     width_ = random_.uniform(180, 420);
-    step_ = width_ * random_.uniform(0.3, 1.1);
+    step_ = std::min(width_ * random_.uniform(0.3, 1.1),
+                     (kEast - kWest - width_) / static_cast<double>(sweepers - 1));
     const bool one_height = random_.chance(0.7);
     for (std::size_t i = 0; i < sweepers + passers; ++i) {
       const double angle =
@@ -84,7 +87,7 @@ class SweepDrawing {
 
   /// The areas stand in a row, one over the next, beside it or a little apart.
   void add_sweep(std::size_t i) {
-    const double west = kMiddle - 300 + step_ * static_cast<double>(i), east = west + width_;
+    const double west = kWest + step_ * static_cast<double>(i), east = west + width_;
     const double south = kMiddle - random_.uniform(50, 220),
                  north = kMiddle + random_.uniform(50, 220);
     const std::string zone = "Z" + std::to_string(mission_.zones.size() + 1);
