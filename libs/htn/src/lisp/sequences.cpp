@@ -232,7 +232,9 @@ Outcome adjoin(Machine& machine, Arguments arguments) {
   return *contained ? arguments[1] : machine.store().pair(arguments[0], arguments[1]);
 }
 
-// Of equal items the last stays (with :from-end the first).
+// Of equal items the last stays (with :from-end the first). As in SBCL an item goes if it equals
+// any behind it, gone or not; from the end, any before it that stays: with a test that is not
+// transitive the two differ.
 Outcome remove_duplicates(Machine& machine, Arguments arguments) {
   const auto options =
       read_options(machine, arguments, 1, {":test", ":test-not", ":key", ":from-end"});
@@ -241,11 +243,12 @@ Outcome remove_duplicates(Machine& machine, Arguments arguments) {
   if (!items) return tl::unexpected(items.error());
   if (!options->from_end) std::reverse(items->begin(), items->end());
   const Sets sets{{}, {}, *options};
-  std::vector<Term> kept;
+  std::vector<Term> kept, seen;
   for (const Term item : *items) {
-    const auto contained = sets.contains(machine, kept, item);
+    const auto contained = sets.contains(machine, options->from_end ? kept : seen, item);
     if (!contained) return tl::unexpected(contained.error());
     if (!*contained) kept.push_back(item);
+    seen.push_back(item);
   }
   if (!options->from_end) std::reverse(kept.begin(), kept.end());
   return machine.store().list(kept);
