@@ -127,11 +127,11 @@ void Map::heat(const world::Grid& grid, const std::vector<double>& values, const
   const double depth = static_cast<double>(grid.rows) * grid.cell;
   const Spot corner = drawing_->scale(Vector2(grid.west, grid.south + depth));
   drawing_->layers += fmt::format(
-      R"(<image x="{}" y="{}" width="{}" height="{}" opacity="{}" preserveAspectRatio="none" image-rendering="optimizeSpeed" style="image-rendering:pixelated" href="{}"/>)"
+      R"(<image x="{}" y="{}" width="{}" height="{}" opacity="{:.2f}" preserveAspectRatio="none" image-rendering="optimizeSpeed" style="image-rendering:pixelated" href="{}"/>)"
       "\n",
       px(corner.x), px(corner.y),
       px(drawing_->scale.pixels(static_cast<double>(grid.columns) * grid.cell)),
-      px(drawing_->scale.pixels(depth)), px(scale.opacity), png_uri(pixels));
+      px(drawing_->scale.pixels(depth)), scale.opacity, png_uri(pixels));
   drawing_->heats.push_back(scale);
 }
 
