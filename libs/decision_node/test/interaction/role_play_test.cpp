@@ -191,11 +191,12 @@ TEST_F(Watching, ATaskWhoseValueIsNotKnownIsRefused) {
 
 // ---- a place that several come to ----
 
-/// The watching library with two who relay over the same place.
-std::shared_ptr<const interaction::Library> two_relays() {
+/// The watching library with several who relay over the same place.
+std::shared_ptr<const interaction::Library> relays(std::size_t count) {
   std::string text = testing::kLibrary;
   const std::string one = "arity: {watch: 1, relay: 1}";
-  text.replace(text.find(one), one.size(), "arity: {watch: 1, relay: 2}");
+  text.replace(text.find(one), one.size(),
+               "arity: {watch: 1, relay: " + std::to_string(count) + "}");
   const auto value = config::parse_yaml(text, "watching.yaml");
   return std::make_shared<const interaction::Library>(
       interaction::read_library({{"watching.yaml", value.value()}}).value());
@@ -217,7 +218,7 @@ world::Vector3 comes_to(const Joint& joint, const Holders& holders, const std::s
 
 TEST(RoleGoto, WhoComeToOnePlaceHaveEachAPlaceOfTheirOwn) {
   Joint joint = testing::joint();
-  joint.library = two_relays();
+  joint.library = relays(2);
   joint.variant = &joint.library->models.at("watching").variants.front();
   joint.arguments["ground"] = Position{0, 0, 40};
   const Holders holders{{"heliv", "relay"}, {"marvin", "watch"}, {"swift", "relay"}};
@@ -239,6 +240,74 @@ TEST(RoleGoto, APlaceThatOneAloneComesToIsComeTo) {
       comes_to(joint, {{"heliv", "relay"}, {"marvin", "watch"}}, "heliv", flat.outlook());
 
   EXPECT_EQ(at, world::Vector3(0, 0, 40));
+}
+
+/// A joint task in which so many relay over a place 40 m above the ground.
+struct Relays {
+  explicit Relays(std::size_t count) {
+    joint.library = relays(count);
+    joint.variant = &joint.library->models.at("watching").variants.front();
+    joint.arguments["ground"] = Position{0, 0, 40};
+    holders["marvin"] = "watch";
+    for (std::size_t relay = 0; relay < count; ++relay)
+      holders["uav" + std::to_string(relay)] = "relay";
+  }
+  std::vector<world::Vector3> places(const Outlook& outlook) const {
+    std::vector<world::Vector3> all;
+    for (const auto& [uav, role] : holders)
+      if (role == "relay") all.push_back(comes_to(joint, holders, uav, outlook));
+    return all;
+  }
+  Joint joint = testing::joint();
+  Holders holders;
+};
+
+TEST(RoleGoto, SeveralComeToACircleOnWhichNeighboursAreThirtyMetresApart) {
+  const Flat flat;
+  for (std::size_t count = 2; count <= 6; ++count) {
+    const std::vector<world::Vector3> places = Relays(count).places(flat.outlook());
+    ASSERT_EQ(places.size(), count);
+    world::Vector3 sum = world::Vector3::Zero();
+    for (std::size_t one = 0; one < count; ++one) {
+      sum += places[one];
+      for (std::size_t other = 0; other < one; ++other)
+        EXPECT_GE((places[one] - places[other]).norm(), 30 - 1e-6) << count;
+      EXPECT_NEAR((places[one] - places[(one + 1) % count]).norm(), 30, 1e-6) << count;
+      EXPECT_NEAR(places[one].z(), 40, 1e-6);
+    }
+    EXPECT_NEAR(sum.head<2>().norm(), 0, 1e-6) << "around the place itself";
+  }
+}
+
+TEST(RoleGoto, OnASlopeEachComesAsHighOverTheGroundAsThePlaceIs) {
+  Flat flat;
+  world::TerrainSpec spec = flat.world.terrain.spec();
+  spec.hills = {{{150, 0}, 30, 400}};  // gentle: it can be landed on
+  flat.world.terrain = world::Terrain(spec);
+  Relays three(3);
+  const double ground = flat.world.terrain.elevation(0, 0);
+  three.joint.arguments["ground"] = Position{0, 0, ground + 40};
+
+  double lowest = 1e9, highest = -1e9;
+  for (const world::Vector3& place : three.places(flat.outlook())) {
+    EXPECT_NEAR(place.z() - flat.world.terrain.elevation(place.x(), place.y()), 40, 1e-6);
+    lowest = std::min(lowest, place.z());
+    highest = std::max(highest, place.z());
+  }
+  EXPECT_GT(highest - lowest, 0.5) << "else nothing was asked of it";
+}
+
+TEST(RoleGoto, WhereNobodyCouldLandBesideItAllComeToThePlaceItself) {
+  Flat flat;
+  world::TerrainSpec spec = flat.world.terrain.spec();
+  spec.hills = {{{40, 0}, 60, 40}, {{-40, 0}, 60, 40}, {{0, 40}, 60, 40}, {{0, -40}, 60, 40}};
+  flat.world.terrain = world::Terrain(spec);
+  Relays four(4);
+  const Position middle{0, 0, flat.world.terrain.elevation(0, 0) + 100};
+  four.joint.arguments["ground"] = middle;
+
+  for (const world::Vector3& place : four.places(flat.outlook()))
+    EXPECT_EQ(place, world::Vector3(middle[0], middle[1], middle[2]));
 }
 
 // ---- where others stay ----
