@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sizes: functions, files, mains and parameter lists stay small; prints how they are spread.
+"""Sizes: functions, files, mains and parameter lists stay small, and the code has tests enough; prints how they are spread.
 
 With --list N also prints the N longest functions.
 """
+import math
 import re
 import sys
 
@@ -12,6 +13,7 @@ FUNCTION_LINES = 60
 FILE_LINES = 500
 MAIN_LINES = 60
 PARAMETERS = 6
+TESTS_PER_LINE = 0.8  # of code; both without comments and empty lines
 
 BRACES = re.compile(r"[{};]")
 # What stands before the brace of a function body: a parameter list, then only what may follow one.
@@ -121,6 +123,13 @@ def problems_of(relative, text):
             yield f"{relative}:{one.first}: {one.name} has {one.parameters} parameters, {PARAMETERS} are allowed"
 
 
+def problems_of_counts(code, tests):
+    wanted = math.ceil(TESTS_PER_LINE * code - 1e-9)
+    if tests < wanted:
+        yield (f"{code} lines of code, {tests} of tests: {wanted - tests} more are needed, "
+               f"{TESTS_PER_LINE} lines of tests are wanted for a line of code")
+
+
 def spread(values):
     values = sorted(values)
     at = lambda share: values[min(len(values) - 1, int(share * len(values)))] if values else 0
@@ -141,6 +150,7 @@ def main():
         code += lines
         sizes.append(text.count("\n"))
         longest += [(one.lines, f"{relative}:{one.first} {one.name}") for one in functions_of(text)]
+    problems += problems_of_counts(code, tests)
     for lines, where in sorted(longest, reverse=True)[:wanted]:
         print(f"{lines:4} {where}")
     print(f"functions: {spread([lines for lines, _ in longest])} lines; files: {spread(sizes)} lines")

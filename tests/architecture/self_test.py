@@ -230,6 +230,13 @@ template <class T> requires std::same_as<T, int> void g(T) { }
         self.assertIn("7 parameters", list(check_budgets.problems_of("a.cpp", "void f(int,int,int,int,int,int,int) {}"))[0])
         self.assertEqual([], list(check_budgets.problems_of("a.cpp", "void f() {\n" + "  g();\n" * 58 + "}\n")))
 
+    def test_code_without_tests_enough_is_told_how_many_lines_it_lacks(self):
+        self.assertEqual([], list(check_budgets.problems_of_counts(0, 0)))
+        self.assertEqual([], list(check_budgets.problems_of_counts(1000, 800)))
+        self.assertEqual([], list(check_budgets.problems_of_counts(5, 4)))
+        self.assertIn("1 more are needed", list(check_budgets.problems_of_counts(1000, 799))[0])
+        self.assertIn("1 more are needed", list(check_budgets.problems_of_counts(1001, 800))[0])
+
 
 class Documents(unittest.TestCase):
     def test_lines_of_the_log_are_structs_that_somebody_writes(self):
