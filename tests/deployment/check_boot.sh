@@ -19,7 +19,8 @@ scenario=$here/../../scenarios/karma/detection.yaml rate=2
 source "$here/daemons.sh"
 if [[ $case == set-back-* ]]; then
   dds=${case#set-back-}
-  shift_by() { python3 -c 'import struct, sys; open(sys.argv[1], "wb").write(struct.pack("=q", int(sys.argv[2])))' "$work/shift" "$1"; }
+  # In place: the daemons have it mapped, and a file that is cut to nothing first is a bus error to who looks meanwhile.
+  shift_by() { python3 -c 'import os, struct, sys; os.pwrite(os.open(sys.argv[1], os.O_RDWR | os.O_CREAT), struct.pack("=q", int(sys.argv[2])), 0)' "$work/shift" "$1"; }
   shift_by 0
   prefix=(env "ADVERSITY_CLOCK=$work/shift" "LD_PRELOAD=$build/lib/libskein_adversity.so")
   start sim skein-sim --dds "$dds"

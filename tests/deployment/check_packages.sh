@@ -9,6 +9,10 @@ source "$(dirname "${BASH_SOURCE[0]}")/clean_root.sh"
 root=$work/root
 said() { echo "packages: $*"; }
 
+for program in file dpkg-shlibdeps; do # that cpack runs: it came with scripts/bootstrap
+  package=$(dpkg-query -S "*/bin/$program" | cut -d: -f1)
+  grep -qx "$package" "$(dirname "${BASH_SOURCE[0]}")/../../scripts/packages.txt" || { echo "FAILED: $package is not in scripts/packages.txt" >&2; exit 1; }
+done
 # shellcheck disable=SC2119  # all components
 make_packages
 cd "$work/packages"
