@@ -22,7 +22,7 @@ stop() {
   [ -z "$first" ] || kill -KILL "$first" 2>/dev/null || true
   timeout 10 bash -c 'until [ -z "$(find "$1" -name cgroup.procs -exec cat {} +)" ]; do :; done' _ "$group" || true
   find "$group" -depth -type d -exec rmdir {} + 2>/dev/null || true
-  rm -rf "$work"
+  rm -rf --one-file-system "$work"
 }
 trap stop EXIT
 

@@ -8,7 +8,8 @@ fail() { tail -n 30 "$log" >&2; echo "FAILED: $*" >&2; exit 1; }
 command -v mmdebstrap >/dev/null || skip "no mmdebstrap"
 work=$(mktemp -d /var/tmp/skein-packages.XXXXXX)
 log=$work/log
-trap 'rm -rf "$work"' EXIT
+# What mmdebstrap may still have mounted there, when it is stopped in the middle, is the machine's own.
+trap 'rm -rf --one-file-system "$work"' EXIT
 
 make_packages() { # [option of cpack]…: into $work/packages
   (cd "$build" && cpack "$@" -B "$work/packages") >"$log" 2>&1 || fail "cpack"

@@ -2,6 +2,7 @@
 #include "skein/laws/protocol.hpp"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -35,7 +36,8 @@ class Checker {
       if (record.at() < last_) breach(record, "time goes back");
       const bool read =
           journal::hand_on<lines::Task, lines::Degree, lines::Command, lines::Sync, lines::Message,
-                           lines::Link, lines::Route, lines::Fault, lines::Unsent>(record, *this);
+                           lines::Link, lines::Route, lines::Fault, lines::Resumed, lines::Unsent>(
+              record, *this);
       if (!read) breach(record, "a line lacks what one of its kind must have");
       last_ = record.at();
     }
@@ -64,7 +66,7 @@ class Checker {
     const auto known = commands_.find(line.command);
     if (line.state == "issued") {
       if (known != commands_.end()) breach(when.record, "a command is issued twice");
-      commands_[line.command] = {when.at};
+      commands_[line.command] = {when.at, ground_away(when.at)};
       return;
     }
     const std::string what = line.state == "delivered" ? "delivered" : "settled";
@@ -72,7 +74,7 @@ class Checker {
       return breach(when.record, "a command is " + what + " before its issue");
     Command& command = known->second;
     if (command.settled) breach(when.record, "a command is " + what + " twice or after its end");
-    if (when.at > command.issued + command_limit_)
+    if (age_of(command, when.at) > command_limit_)
       breach(when.record, "a command is " + what + " too late");
     if (line.state == "delivered") return see_delivered(when.record, command);
     if (line.state == "acknowledged" && !command.delivered)
@@ -126,6 +128,9 @@ class Checker {
   void hear(const lines::Fault& line, const Written& when) {
     const bool comes_back = line.what == "restart" || line.what == "resume";
     if (line.what == "restart") see_birth(line.target);
+    if (line.target == "ground" && line.what == "kill" && !ground_dead_since_)
+      ground_dead_since_ = when.at;
+    if (line.target == "ground" && line.what == "restart") see_ground_back(when.at);
     if (line.target != "sim") return;
     simulator_dead_ = line.what == "kill" || (simulator_dead_ && !comes_back);
     if (simulator_dead_) return;
@@ -133,9 +138,14 @@ class Checker {
     unheard_.clear();
   }
 
+  void hear(const lines::Resumed&, const Written& when) {
+    if (when.node == "ground") see_ground_back(when.at);
+  }
+
  private:
   struct Command {
     MissionTime issued;
+    Duration away_before;  ///< that the ground station was dead before its issue
     bool delivered = false, settled = false;
   };
   struct HandedOver {
@@ -171,8 +181,23 @@ class Checker {
     command.delivered = true;
   }
 
+  void see_ground_back(MissionTime at) {
+    ground_away_ = ground_away(at);
+    ground_dead_since_.reset();
+  }
+
+  /// For how long the ground station has been dead until then, over all its deaths.
+  Duration ground_away(MissionTime at) const {
+    return ground_dead_since_ ? ground_away_ + (at - *ground_dead_since_) : ground_away_;
+  }
+
+  /// How long a command has been open to its ground station, which settles none while it is dead.
+  Duration age_of(const Command& command, MissionTime at) const {
+    return (at - command.issued) - (ground_away(at) - command.away_before);
+  }
+
   void unsettled(std::uint64_t number, const Command& command) {
-    if (command.settled || command.issued + command_limit_ >= last_) return;
+    if (command.settled || age_of(command, last_) <= command_limit_) return;
     breaches_.push_back("command " + std::to_string(number) + " of " + to_text(command.issued) +
                         " s was never settled");
   }
@@ -221,6 +246,8 @@ class Checker {
   std::map<Channel, MissionTime> down_since_;
   std::set<std::string> relays_;  ///< past whom somebody has told that its samples go
   bool simulator_dead_ = false;
+  std::optional<MissionTime> ground_dead_since_;
+  Duration ground_away_;             ///< in deaths that are over
   std::map<Channel, bool> unheard_;  ///< that nobody is told before it is back
   std::vector<std::string> breaches_;
 };

@@ -223,6 +223,34 @@ TEST(JournalLaws, ACommandMayBeOpenWhenTheRunEndsSoonAfterItsIssue) {
   EXPECT_THAT(broken_protocol({command(50, "issued"), link(100, true)}), IsEmpty());
 }
 
+// Killed in the turn in which it issued it, and back after its limit: nobody else could settle it.
+TEST(JournalLaws, WhileTheGroundStationIsDeadNoCommandGrowsOld) {
+  const Record back = record_of(at(75), "ground", lines::Resumed{.from = 2});
+  const Log settled_at_once{command(1, "issued"), fault(2, "kill", "ground"),
+                            fault(70, "resume", "ground"), back, command(75, "expired")};
+  const Log first_turn_tells_of_it_before{command(1, "issued"), fault(2, "kill", "ground"),
+                                          command(75, "expired"), back};
+  const Log settled_in_time{command(1, "issued"), fault(2, "kill", "ground"), back,
+                            command(139, "expired")};
+  EXPECT_THAT(broken_protocol(settled_at_once), IsEmpty());
+  EXPECT_THAT(broken_protocol(first_turn_tells_of_it_before), IsEmpty());
+  EXPECT_THAT(broken_protocol(settled_in_time), IsEmpty());
+}
+
+TEST(JournalLaws, ACommandGrowsOldWhileAnotherIsDeadAndOnceTheGroundStationIsBack) {
+  const auto back = [](double seconds, const char* node) {
+    return record_of(at(seconds), node, lines::Resumed{.from = 2});
+  };
+  const Log another{command(1, "issued"), fault(2, "kill", "marvin"), back(75, "marvin"),
+                    command(76, "expired")};
+  const Log long_back{command(1, "issued"), fault(2, "kill", "ground"), back(75, "ground"),
+                      command(145, "expired")};
+  const Log issued_since{fault(2, "kill", "ground"), back(75, "ground"), command(76, "issued"),
+                         command(145, "expired")};
+  for (const Log& late : {another, long_back, issued_since})
+    EXPECT_THAT(broken_protocol(late), ElementsAre(HasSubstr("a command is settled too late")));
+}
+
 TEST(JournalLaws, ALineThatLacksSomethingIsTold) {
   const Log log{Record(at(1), "marvin", "task").with("uav", "marvin").with("state", "started"),
                 Record(at(2), "marvin", "of-another-kind")};

@@ -24,8 +24,9 @@ std::string breaches_beyond_clocks(const std::vector<journal::Record>& records, 
 
 /// The same records, with a line for each message that came and of which the sender's line is
 /// missing because it was killed in the turn in which it sent it: of those that it numbered between
-/// its last line before a scripted death and its first after, if they are few. Its next life sends
-/// them, and writes the node's own lines again, but not the host's of that turn.
+/// its last line before a scripted death and its first after, if they are few; or after its last,
+/// if nothing follows, that came before it was back. Its next life sends them, and writes the
+/// node's own lines again, but not the host's of that turn.
 std::vector<journal::Record> with_last_messages(std::vector<journal::Record> records, double rate,
                                                 double apart = kClocksApart);
 

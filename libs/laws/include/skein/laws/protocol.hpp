@@ -15,8 +15,8 @@ namespace skein::laws {
 /// - tasks: only the transitions of spec 2.1, so at most one terminal state, and that the last;
 ///   when a UAV's degree changes, the executive that takes a task over continues from its state;
 /// - commands: issued once, then delivered at most once, then settled exactly once (acknowledged,
-///   refused or expired), at the latest `command_limit` after their issue; what is acknowledged was
-///   delivered before;
+///   refused or expired), at the latest `command_limit` after their issue, in which does not count
+///   that the ground station is dead; what is acknowledged was delivered before;
 /// - synchronisation: nothing is received that was not sent before;
 /// - messages: each is received at most once, in the order of its sequence, after it was sent;
 /// - samples: none breaks the rules of the wire, none is too long for it;
