@@ -351,6 +351,41 @@ INSTANTIATE_TEST_SUITE_P(Steps, AskedWhileDead,
                                            Asks{"karma-in-hand", "karma"}),
                          [](const auto& one) { return word_of(one.param.step); });
 
+// ---- a ground station that is away for longer than UAVs go on without it ----
+
+struct AwayTooLong {
+  const char* mission;
+  double at;
+};
+
+class AwayForLong : public ::testing::TestWithParam<AwayTooLong> {};
+
+// They hold, and hand over what they were to do. The script gives it to them again.
+TEST_P(AwayForLong, TheGroundStationGivesAgainWhatUavsHandedOver) {
+  scenario::Scenario scenario = scenario_at(GetParam().mission);
+  scenario.faults.kills.push_back({at(GetParam().at), "ground", Duration::seconds(80)});
+
+  const Mission mission = play(scenario);
+
+  EXPECT_GE(mission.count({{"kind", "contact"}, {"policy", "hold"}}), 2U);
+  EXPECT_EQ(mission.count({{"kind", "mission"}, {"state", "finished"}}), 1U);
+  for (const std::string& uav : scenario.uav_names())
+    EXPECT_EQ(mission.count({{"kind", "task"}, {"type", "land"}, {"uav", uav}, {"state", "ended"}}),
+              1U)
+        << uav;
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
+}
+INSTANTIATE_TEST_SUITE_P(Missions, AwayForLong,
+                         ::testing::Values(AwayTooLong{"heliv-marvin/monitoring", 105},
+                                           AwayTooLong{"heliv-marvin/monitoring", 225},
+                                           AwayTooLong{"iros2005/fire", 446},
+                                           AwayTooLong{"iros2005/fire", 900}),
+                         [](const auto& one) {
+                           return word_of(one.param.mission) + "_" +
+                                  std::to_string(static_cast<int>(one.param.at));
+                         });
+
 // ---- two deaths in one run ----
 
 class TwoDeaths : public ::testing::TestWithParam<std::uint64_t> {};
