@@ -151,9 +151,10 @@ world::VehicleModel a_plane() {
   return vehicle;
 }
 
-/// The last is one in which two legs as steep as can be flown end in one of 0.2 m.
+/// The eighth is one over which a climb turned in a whole circle was 8 % longer; the last one in
+/// which two legs as steep as can be flown end in one of 0.2 m.
 std::vector<std::uint64_t> steep_seeds() {
-  if (cases(0, 1) == 0) return {1, 2, 3, 16};
+  if (cases(0, 1) == 0) return {1, 2, 8, 16};
   std::vector<std::uint64_t> all(16);
   std::iota(all.begin(), all.end(), 1U);
   return all;
@@ -161,7 +162,7 @@ std::vector<std::uint64_t> steep_seeds() {
 
 TEST(BothPlanners, GiveWaysOfAboutTheSameLengthOverSteepGroundToWhatCannotHover) {
   double sum = 0;
-  int both = 0, longer = 0;
+  int both = 0;
   for (const std::uint64_t seed : steep_seeds())
     for (const double relief : {150.0, 300.0}) {
       const world::World world = steep(seed, relief);
@@ -187,12 +188,11 @@ TEST(BothPlanners, GiveWaysOfAboutTheSameLengthOverSteepGroundToWhatCannotHover)
       for (std::size_t i = 1; i < way.size(); ++i)
         EXPECT_GE((way[i] - way[i - 1]).norm(), 1) << "seed " << seed << ", leg " << i;
       const double ratio = voxels->task.length / trees->task.length;
-      if (ratio > 1.05) ++longer;
+      EXPECT_LE(ratio, 1.05) << "seed " << seed << ", relief " << relief;
       sum += ratio;
       ++both;
     }
   ASSERT_GT(both, 4);
-  EXPECT_LE(10 * longer, both) << "at most one in ten is more than 5 % longer";
   EXPECT_LE(sum / both, 1.02);
 }
 
@@ -233,7 +233,7 @@ world::World alpine(std::uint64_t seed) {
 }
 
 /// Where its straight ways are too steep it had circled up: by 19 % more in the eighth pair of the
-/// second ground, by 28 and 30 % on one of an audit. Of 60 pairs one is 5.8 % longer.
+/// second ground, by 28 and 30 % on one of an audit.
 TEST(BothPlanners, GiveWaysOfAboutTheSameLengthOverRidgesUpWhichOneCouldCircle) {
   const bool all = skein::testing::long_tests();
   for (std::uint64_t seed = all ? 1 : 2; seed <= (all ? 6 : 2); ++seed) {
@@ -257,7 +257,7 @@ TEST(BothPlanners, GiveWaysOfAboutTheSameLengthOverRidgesUpWhichOneCouldCircle) 
 
       if (!trees || !voxels) continue;
       EXPECT_TRUE(refiners::is_flyable(voxels->task.way, query.vehicle, 0, 0.5));
-      EXPECT_LE(voxels->task.length, 1.08 * trees->task.length)
+      EXPECT_LE(voxels->task.length, 1.05 * trees->task.length)
           << "seed " << seed << ", pair " << pair;
     }
   }

@@ -120,6 +120,14 @@ DubinsCurve DubinsCurve::circle(const Pose& from, double radius, bool left) {
   return curve;
 }
 
+DubinsCurve DubinsCurve::arc(const Pose& from, double radius, bool left, double angle) {
+  SKEIN_EXPECTS(angle >= 0 && std::isfinite(angle));
+  DubinsCurve curve = circle(from, radius, left);
+  curve.lengths_[0] = angle * radius;
+  curve.to_ = curve.advanced(from, curve.pieces_[0], curve.lengths_[0]);
+  return curve;
+}
+
 Pose DubinsCurve::advanced(const Pose& from, Piece piece, double length) const {
   if (piece == Piece::kStraight) {
     const world::Vector2 ahead(std::cos(from.heading), std::sin(from.heading));
@@ -142,15 +150,20 @@ Pose DubinsCurve::at(double along) const {
   return pose;
 }
 
-std::vector<world::Vector2> DubinsCurve::sampled(double tolerance) const {
+/// None of a piece that is left out.
+std::size_t DubinsCurve::chords_of(std::size_t piece, double tolerance) const {
+  if (lengths_[piece] <= kNoTurn * radius_) return 0;
+  if (pieces_[piece] == Piece::kStraight) return 1;
   const double most = radius_ * chord_angle(radius_, tolerance);
+  return static_cast<std::size_t>(std::ceil(lengths_[piece] / most - kNoTurn));
+}
+
+std::vector<world::Vector2> DubinsCurve::sampled(double tolerance) const {
   std::vector<world::Vector2> points = {from_.at};
   Pose start = from_;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    if (lengths_[i] <= kNoTurn * radius_) continue;
-    const bool straight = pieces_[i] == Piece::kStraight;
-    const auto chords =
-        straight ? 1 : static_cast<std::size_t>(std::ceil(lengths_[i] / most - kNoTurn));
+    const std::size_t chords = chords_of(i, tolerance);
+    if (chords == 0) continue;
     for (std::size_t k = 1; k <= chords; ++k)
       points.push_back(advanced(start, pieces_[i],
                                 lengths_[i] * static_cast<double>(k) / static_cast<double>(chords))
@@ -159,6 +172,18 @@ std::vector<world::Vector2> DubinsCurve::sampled(double tolerance) const {
   }
   points.back() = to_.at;
   return points;
+}
+
+double DubinsCurve::sampled_length(double tolerance) const {
+  double length = 0;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const auto chords = static_cast<double>(chords_of(i, tolerance));
+    if (chords == 0) continue;
+    length += pieces_[i] == Piece::kStraight
+                  ? lengths_[i]
+                  : 2 * radius_ * chords * std::sin(lengths_[i] / (2 * chords * radius_));
+  }
+  return length;
 }
 
 }  // namespace skein::refiners

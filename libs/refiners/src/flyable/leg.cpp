@@ -11,44 +11,16 @@ namespace {
 
 using world::Vector2;
 using world::Vector3;
-using Plane = std::vector<Vector2>;
 
 /// More full circles than that climb nothing sensible.
 constexpr double kMostCircles = 500;
+/// So much longer than a climb needs are its turns made, relatively: for rounding, and so that a
+/// point too many may be left out though that shortens it.
+constexpr double kSlack = 5e-4;
 /// About what it takes to find out whether a segment is free [ns].
 constexpr std::uint32_t kAsked = 5000;
-
-double length_of(const Plane& plane) {
-  double length = 0;
-  for (std::size_t i = 1; i < plane.size(); ++i) length += (plane[i] - plane[i - 1]).norm();
-  return length;
-}
-
-/// Neighbours closer than `same` are one, since the direction between them is mostly rounding. Both
-/// ends stay; any point left out was on the curve, so what remains is sampled from it too.
-Plane without_doubles(const Plane& plane, double same) {
-  Plane kept = {plane.front()};
-  for (std::size_t i = 1; i + 1 < plane.size(); ++i)
-    if ((plane[i] - kept.back()).norm() > same) kept.push_back(plane[i]);
-  while (kept.size() > 1 && (kept.back() - plane.back()).norm() <= same) kept.pop_back();
-  if (plane.back() != kept.back()) kept.push_back(plane.back());
-  return kept;
-}
-
-/// The points of a curve with full circles at a distance along it.
-Plane with_circles_at(const DubinsCurve& curve, double along, const DubinsCurve& circle, int count,
-                      double tolerance) {
-  const Pose start = curve.at(0), middle = circle.at(0), end = curve.at(curve.length());
-  const double radius = circle.length() / (2 * std::numbers::pi);
-  Plane plane = along <= 0 ? Plane{start.at}
-                           : DubinsCurve::shortest(start, middle, radius).sampled(tolerance);
-  const Plane round = circle.sampled(tolerance);
-  for (int i = 0; i < count; ++i) plane.insert(plane.end(), round.begin() + 1, round.end());
-  if (along >= curve.length()) return plane;
-  const Plane rest = DubinsCurve::shortest(middle, end, radius).sampled(tolerance);
-  plane.insert(plane.end(), rest.begin() + 1, rest.end());
-  return plane;
-}
+/// And to find out how far a climb has to turn [ns].
+constexpr std::uint32_t kTurned = 50'000;
 
 /// How the height changes along a leg.
 enum class Profile { kEven, kEarly, kLate };
@@ -69,7 +41,7 @@ double height_at(Profile profile, double along, double length, double rise, doub
 
 /// With a point more where an early or late profile bends on a line; the chords of arcs, which are
 /// no longer than `chord`, stay whole, so that they still show how the arc turns.
-Way profiled(const Plane& plane, const Climb& climb, Profile profile, double chord) {
+Way profiled(const LevelWay& plane, const Climb& climb, Profile profile, double chord) {
   const auto [from, to, slope] = climb;
   const double rise = to - from;
   const double length = length_of(plane);
@@ -120,7 +92,7 @@ bool FlyableLegs::all_free(const Way& way) {
 }
 
 /// Even first: nearest to the straight leg that was asked for. Then what keeps it high, then low.
-std::optional<Way> FlyableLegs::lifted(const Plane& plane, double from, double to) {
+std::optional<Way> FlyableLegs::lifted(const LevelWay& plane, double from, double to) {
   const double rise = to - from;
   const double slope = rise > 0 ? limits_.climb : -limits_.descent;
   if (std::abs(rise) > std::abs(slope) * length_of(plane) * (1 + 1e-9)) return std::nullopt;
@@ -137,31 +109,28 @@ std::optional<Way> FlyableLegs::lifted(const Plane& plane, double from, double t
 
 std::optional<Way> FlyableLegs::leg(const Station& from, const Station& to, bool thorough) {
   const auto curve = DubinsCurve::shortest(from.pose, to.pose, limits_.radius);
-  const Plane plane = without_doubles(curve.sampled(limits_.tolerance), same_place());
+  const LevelWay plane = without_doubles(curve.sampled(limits_.tolerance), same_place());
   const double rise = to.z - from.z;
   const double needed = std::max(rise / limits_.climb, -rise / limits_.descent);
   if (needed <= length_of(plane)) return lifted(plane, from.z, to.z);
-  return with_circles(curve, from, to, thorough);
+  return with_turns(from, to, thorough);
 }
 
 /// A climb is turned at its foot first and a descent at its end, where that keeps the leg high over
 /// the ground.
-std::optional<Way> FlyableLegs::with_circles(const DubinsCurve& curve, const Station& from,
-                                             const Station& to, bool thorough) {
+std::optional<Way> FlyableLegs::with_turns(const Station& from, const Station& to, bool thorough) {
   const double rise = to.z - from.z;
-  const double needed = std::max(rise / limits_.climb, -rise / limits_.descent);
+  const double needed = std::max(rise / limits_.climb, -rise / limits_.descent) * (1 + kSlack);
+  if (needed > kMostCircles * 2 * std::numbers::pi * limits_.radius) return std::nullopt;
   constexpr std::array<double, 5> kPlaces = {0, 1, 0.5, 0.25, 0.75};
-  const double flown = length_of(curve.sampled(limits_.tolerance));
   for (std::size_t i = 0; i < (thorough ? kPlaces.size() : 2); ++i)
     for (const bool left : {true, false}) {
-      const double along = (rise > 0 ? kPlaces[i] : 1 - kPlaces[i]) * curve.length();
-      const auto circle = DubinsCurve::circle(curve.at(along), limits_.radius, left);
-      const double round = length_of(circle.sampled(limits_.tolerance));
-      // Cutting the curve in two samples it anew, which may cost up to a chord's saving: hence 1 %.
-      const double count = std::ceil((needed - 0.99 * flown) / round);
-      if (count > kMostCircles) return std::nullopt;
-      const Plane plane = without_doubles(
-          with_circles_at(curve, along, circle, static_cast<int>(count), limits_.tolerance),
+      if (deadline_.passed_after(kTurned)) left_ = 0;
+      if (left_ == 0) return std::nullopt;
+      const double place = rise > 0 ? kPlaces[i] : 1 - kPlaces[i];
+      const AddedTurn turn{place, left, place == 1};
+      const LevelWay plane = without_doubles(
+          lengthened(from.pose, to.pose, limits_.radius, turn, needed, limits_.tolerance),
           same_place());
       if (auto way = lifted(plane, from.z, to.z)) return way;
     }

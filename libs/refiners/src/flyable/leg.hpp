@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/deadline.hpp"
+#include "flyable/lengthened.hpp"
 #include "skein/refiners/dubins.hpp"
 #include "skein/refiners/flight.hpp"
 
@@ -51,9 +52,8 @@ class FlyableLegs {
   }
 
  private:
-  std::optional<Way> with_circles(const DubinsCurve& curve, const Station& from, const Station& to,
-                                  bool thorough);
-  std::optional<Way> lifted(const std::vector<world::Vector2>& plane, double from, double to);
+  std::optional<Way> with_turns(const Station& from, const Station& to, bool thorough);
+  std::optional<Way> lifted(const LevelWay& plane, double from, double to);
   bool all_free(const Way& way);
   double same_place() const { return 1e-6 * limits_.radius; }
 

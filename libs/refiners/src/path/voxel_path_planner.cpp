@@ -24,7 +24,7 @@ using world::Vector3;
 
 /// A way that is longer by as much than a straight one is looked for otherwise too.
 constexpr double kDetour = 1.03;
-/// How far aside ways are looked for where one that cannot hover would have to circle.
+/// How far aside ways are looked for where one that cannot hover would have to go round.
 constexpr std::array<double, 8> kAside = {0.1, -0.1, 0.2, -0.2, 0.35, -0.35, 0.5, -0.5};
 
 Refusal out_of_budget(const std::string& when) {
@@ -157,7 +157,7 @@ class Route {
       attempt(sloped({query_.from, query_.to}));
       attempt(sloped(joined(ways.front())));
     }
-    if (best && circles(*best, ways))
+    if (best && goes_round(*best, ways))
       for (const double aside : kAside) attempt(sloped(bowed(aside)));
     if (const auto wide = best ? std::nullopt : roomy(); wide)
       if (const VoxelWay found = search(*wide); found.found) attempt(joined(found.way));
@@ -166,12 +166,11 @@ class Route {
     return tl::unexpected(*refusal);
   }
 
-  /// Longer than the ways that it was made of by more than a full turn: there was no room for its
-  /// turns, or for its climbs.
-  bool circles(const Way& flown, const std::vector<Way>& ways) const {
+  /// Longer than the ways that it was made of: there was no room for its turns, or for its climbs.
+  bool goes_round(const Way& flown, const std::vector<Way>& ways) const {
     double least = std::numeric_limits<double>::infinity();
     for (const Way& way : ways) least = std::min(least, length_of(joined(way)));
-    return length_of(flown) > least + 2 * std::numbers::pi * query_.vehicle.min_turn_radius;
+    return length_of(flown) > kDetour * least;
   }
 
   /// By a place aside of the middle, in parts of the distance: a longer run to climb on.

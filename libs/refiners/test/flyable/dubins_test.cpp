@@ -98,6 +98,31 @@ TEST(DubinsCurve, ACircleComesBackAfterAFullTurn) {
   EXPECT_EQ(circle.at(1e9).at, Vector2(5, 5));
 }
 
+TEST(DubinsCurve, AnArcIsThePartOfACircle) {
+  const Pose from{{5, 5}, 1};
+  for (const bool left : {true, false}) {
+    const auto arc = DubinsCurve::arc(from, 20, left, 1.5);
+    const Pose end = arc.at(arc.length());
+    const Pose other = DubinsCurve::circle(from, 20, left).at(30);
+
+    EXPECT_NEAR(arc.length(), 30, 1e-9);
+    EXPECT_LT((end.at - other.at).norm(), 1e-9);
+    EXPECT_NEAR(end.heading, 1 + (left ? 1.5 : -1.5), 1e-9);
+  }
+}
+
+TEST(DubinsCurve, TheLengthOfItsChordsIsKnownWithoutThem) {
+  Random random(4);
+  for (int i = 0; i < 500; ++i) {
+    const auto curve =
+        DubinsCurve::shortest(random_pose(random, 200), random_pose(random, 200), 30);
+    const auto points = curve.sampled(0.5);
+    double length = 0;
+    for (std::size_t k = 1; k < points.size(); ++k) length += (points[k] - points[k - 1]).norm();
+    EXPECT_NEAR(curve.sampled_length(0.5), length, 1e-6);
+  }
+}
+
 RC_GTEST_PROP(DubinsCurve, ReachesThePoseItIsMadeFor, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   const double radius = random.uniform(0.5, 80);

@@ -28,6 +28,8 @@ class DubinsCurve {
   static DubinsCurve shortest(const Pose& from, const Pose& to, double radius);
   /// A full circle back to `from`.
   static DubinsCurve circle(const Pose& from, double radius, bool left);
+  /// A turn by `angle` [rad], >= 0.
+  static DubinsCurve arc(const Pose& from, double radius, bool left, double angle);
 
   double length() const { return lengths_[0] + lengths_[1] + lengths_[2]; }
   /// The pose at a distance along the curve, clamped to [0, length()]; at the ends exactly the
@@ -36,11 +38,14 @@ class DubinsCurve {
   /// Points along the curve including both ends, with chords no further than `tolerance` [m] (> 0)
   /// from the curve. A single point if the curve has no length.
   std::vector<world::Vector2> sampled(double tolerance) const;
+  /// That of the chords between these points [m]. Cost: constant.
+  double sampled_length(double tolerance) const;
 
  private:
   enum class Piece { kLeft, kStraight, kRight };
   struct Word;
 
+  std::size_t chords_of(std::size_t piece, double tolerance) const;
   Pose advanced(const Pose& from, Piece piece, double length) const;
 
   Pose from_, to_;

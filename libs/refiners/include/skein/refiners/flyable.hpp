@@ -33,8 +33,9 @@ struct FlyableQuery {
 /// headings at the ends. Each corner is cut inside, flown over, or passed outside; if corners are
 /// too close for the turns, or none of these is free, some may be left out, and points beside the
 /// legs flown over instead. Climbs and descents are no steeper than the rates permit at that speed;
-/// where the path is too short for them full circles are added. Among the free paths found, about
-/// the shortest is returned. The ends are kept exactly.
+/// where the path is too short for them turns are added, whole circles and as much of a further one
+/// as it takes. Among the free paths found, about the shortest is returned. The ends are kept
+/// exactly.
 ///
 /// Refused: an invalid query (kBadQuery); a blocked leg of a hovering vehicle (kBlocked); no
 /// flyable path found near the corners (kBeyondVehicle), which does not prove that none exists.
