@@ -303,7 +303,7 @@ TEST(RoleGoto, WhereNobodyCouldLandBesideItAllComeToThePlaceItself) {
   spec.hills = {{{40, 0}, 60, 40}, {{-40, 0}, 60, 40}, {{0, 40}, 60, 40}, {{0, -40}, 60, 40}};
   flat.world.terrain = world::Terrain(spec);
   Relays four(4);
-  const Position middle{0, 0, flat.world.terrain.elevation(0, 0) + 100};
+  const Position middle{0, 0, flat.world.terrain.elevation(0, 0) + 60};
   four.joint.arguments["ground"] = middle;
 
   for (const world::Vector3& place : four.places(flat.outlook()))

@@ -14,7 +14,7 @@ using test::DrawnProgram;
 using test::LispFixture;
 
 RC_GTEST_PROP(LispPrograms, GiveWhatAWalkOverTheirTreeGives, ()) {
-  const DrawnProgram program;
+  const DrawnProgram program = DrawnProgram::drawn();
   LispFixture lisp;
   RC_LOG() << program.text();
 
@@ -22,7 +22,7 @@ RC_GTEST_PROP(LispPrograms, GiveWhatAWalkOverTheirTreeGives, ()) {
 }
 
 RC_GTEST_PROP(LispPrograms, GiveTheSameAsTheBodyOfAFunctionAndOfALambda, ()) {
-  const DrawnProgram program;
+  const DrawnProgram program = DrawnProgram::drawn();
   LispFixture lisp;
   lisp.define("(defun run (unused) " + program.text() + ")");
   RC_LOG() << program.text();
@@ -34,7 +34,7 @@ RC_GTEST_PROP(LispPrograms, GiveTheSameAsTheBodyOfAFunctionAndOfALambda, ()) {
 }
 
 RC_GTEST_PROP(LispPrograms, LeaveTheVariablesAroundThemAlone, ()) {
-  const DrawnProgram program;
+  const DrawnProgram program = DrawnProgram::drawn();
   LispFixture lisp;
   RC_LOG() << program.text();
 

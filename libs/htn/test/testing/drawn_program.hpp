@@ -19,7 +19,10 @@ class DrawnProgram {
  public:
   static constexpr std::size_t kVariables = 4;
 
-  DrawnProgram() : body_(drawn_body(3, 0, 0)) {}
+  /// Of all kinds of statements from the first case on, whatever size RapidCheck is at.
+  static DrawnProgram drawn() {
+    return *rc::gen::resize(rc::kNominalSize, rc::gen::exec([] { return DrawnProgram(); }));
+  }
 
   /// The form that gives (v0 … v3 out).
   std::string text() const {
@@ -40,6 +43,8 @@ class DrawnProgram {
   }
 
  private:
+  DrawnProgram() : body_(drawn_body(3, 0, 0)) {}
+
   enum class Kind : std::uint8_t {
     kSet,      ///< (setq v (op v k))
     kStep,     ///< (incf v k), (decf v k)
