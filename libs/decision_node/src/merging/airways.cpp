@@ -30,6 +30,7 @@ constexpr int kDirections = 8;
 constexpr std::array kRings{2, 4, 6, 8, 12, 18, 26, 36, 48};  // of what it takes to hold
 constexpr std::uint64_t kStepsAround = 200'000;
 constexpr double kNearEnd = 1.05;  // an end is in what is reserved with what it has too much
+constexpr double kSame = 0.01;     // [m] nearer is as near
 constexpr double kAhead = 600;     // [s] in which air must not close on a way that nobody asked for
 
 elementary::Situation seen_by_vehicle(const MergingConfig& config,
@@ -77,10 +78,18 @@ std::vector<Vector3> from_aside(const std::vector<Vector3>& points) {
   return result;
 }
 
+/// Who is nearer than the margin to closed air may fly away from there, and comes no nearer.
+double kept_from(const world::Volume& volume, double margin, const Vector3& start) {
+  const double above = std::max({volume.floor - start.z(), start.z() - volume.ceiling, 0.0});
+  const double beside = world::to_polygon(start.head<2>(), volume.polygon);
+  return std::clamp(std::max(above, beside) - kSame, 0.0, margin);
+}
+
 bool is_clear(const std::vector<Vector3>& points, double margin, const AirwaySituation& situation) {
   const world::TimeWindow ahead{situation.now, situation.now + Duration::seconds(kAhead)};
   return std::none_of(situation.volumes.begin(), situation.volumes.end(), [&](const auto& volume) {
-    return volume.when.overlaps(ahead) && world::crosses(volume, margin, points);
+    return volume.when.overlaps(ahead) &&
+           world::crosses(volume, kept_from(volume, margin, points.front()), points);
   });
 }
 

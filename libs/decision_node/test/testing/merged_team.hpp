@@ -73,7 +73,8 @@ class MergedTeam {
   /// With a contact-loss policy the ground station is the third of each pair; carried out after 5
   /// s.
   explicit MergedTeam(const std::vector<std::pair<std::string, Vector3>>& places, int degree = 3,
-                      ContactPolicy policy = ContactPolicy::kContinue) {
+                      ContactPolicy policy = ContactPolicy::kContinue,
+                      const std::vector<world::Volume>& closed = {}) {
     for (const auto& [name, place] : places) names_.push_back(name);
     for (const auto& [name, place] : places) {
       Config config;
@@ -87,7 +88,7 @@ class MergedTeam {
         config.knowledge = knowledge_of(name);
         const world::AirspaceGrid air{{-400, -400, 0}, 20, {40, 40, 12}};
         config.world = std::make_shared<world::World>(
-            world::World{{}, *level_ground(), {}, air, {}, {}, {}, {}, {}});
+            world::World{{}, *level_ground(), {}, air, closed, {}, {}, {}, {}});
       }
       Uav& uav = uavs_[name];
       uav.node = std::make_unique<DecisionNode>(config);
