@@ -179,6 +179,24 @@ std::vector<Violation> plan_words_unheard(const History& history) {
   return result;
 }
 
+namespace {
+
+/// Of a meeting of more than two, all others came before: what is foretold is when the last comes.
+bool is_the_last(const Uav& uav, const SyncHeard& word) {
+  std::set<std::string> awaited;
+  for (const auto& [id, goal] : uav.goals) {
+    const auto meeting = meeting_of(uav, goal.task);
+    if (meeting && meeting->id == static_cast<double>(word.id))
+      awaited.merge(std::set(meeting->partners));
+  }
+  awaited.erase(uav.name());
+  for (const SyncHeard& one : uav.syncs_heard)
+    if (one.id == word.id && one.at <= word.at) awaited.erase(one.from);
+  return awaited.empty();
+}
+
+}  // namespace
+
 // What is believed when the word comes that somebody is there: not that he could not be. That word
 // and those of plans come over one radio; where the ground station says when others come, by a hop
 // more.
@@ -194,7 +212,7 @@ std::vector<Violation> come_before_foretold(const History& history) {
       for (const Foretold& one : uav.foretold)
         if (one.id == heard.id && one.at <= heard.at + on_its_way) believed = &one;
       const bool about = believed != nullptr && believed->known && believed->last == heard.from;
-      if (!about || believed->soonest <= heard.at + kMoment) continue;
+      if (!about || !is_the_last(uav, heard) || believed->soonest <= heard.at + kMoment) continue;
       const std::string when = believed->soonest == kNever
                                    ? "never"
                                    : "no earlier than " + figure(believed->soonest) + " s";

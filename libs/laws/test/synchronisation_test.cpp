@@ -28,6 +28,21 @@ TEST(ForetoldLaw, WhoWasNeverToComeBreaksItByComing) {
   EXPECT_THAT(story.broken("foretold"), ElementsAre(HasSubstr("to come never")));
 }
 
+// Found by random missions (--mixed 300003): whose latest date was open came early, and the date
+// was that of another.
+TEST(ForetoldLaw, OfThreeTheLastToComeIsForetold) {
+  const auto told = [](const std::string& first, const std::string& last) {
+    Story story;
+    story.goal("marvin", 7, "synchro 500 (marvin heliv karma) (marvin heliv karma)", "planned", 10);
+    story.foretold("marvin", 20, 500, "heliv", 90);
+    story.hears("marvin", 60, 500, first).hears("marvin", 70, 500, last);
+    return story;
+  };
+
+  EXPECT_THAT(told("heliv", "karma").broken("foretold"), IsEmpty());
+  EXPECT_EQ(told("karma", "heliv").broken("foretold").size(), 1U);
+}
+
 TEST(ForetoldLaw, TheLastWordCounts) {
   Story story;
   story.foretold("marvin", 20, 500, "heliv", 90).foretold("marvin", 50, 500, "heliv", 60);
