@@ -44,7 +44,7 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
   }
   if (const auto* seen = sightings_.own(); seen != nullptr) {
     const std::string why = no_role_for(*joint, host_.config().knowledge->vehicle, seen->state);
-    if (!why.empty()) return host_.answered({asked.task.id, false, {}, why, {}});
+    if (!why.empty()) return refuse(asked, *joint, why);
   }
   // Later than foreseen is better than not at all, where nothing forbids it.
   std::vector<mission::Interval> preferences = asked.preferences;
@@ -69,6 +69,30 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
   task = std::make_unique<JointTask>(host_, *this, std::move(*joint), std::move(preferences),
                                      sightings_);
   task->load(again);
+}
+
+// Its partners wait for it.
+void Interaction::refuse(const supervisor::LoadJointTask& asked, const Joint& joint,
+                         const std::string& why) {
+  interaction::JointTaskStatus status;
+  status.uav = host_.config().uav;
+  status.subject = joint.subject;
+  status.task = asked.task.id.value();
+  status.model = joint.model;
+  status.variant = joint.variant->name;
+  status.hash = joint.hash;
+  status.phase = interaction::JointPhase::kNotLoaded;
+  status.why = why;
+  std::vector<std::string> partners = joint.members;
+  std::erase(partners, status.uav);
+  host_.bus().emit(JointTaskChanged{std::move(status), std::move(partners)});
+  host_.answered({asked.task.id, false, {}, why, {}});
+}
+
+const Interaction::Refusal* Interaction::refusal_of(const std::string& subject,
+                                                    const std::string& uav) const {
+  const auto known = refusals_.find({subject, uav});
+  return known == refusals_.end() ? nullptr : &known->second;
 }
 
 void Interaction::due(executive::TaskId task, bool interrupt) {
@@ -162,6 +186,15 @@ void Interaction::place_told(const mission::ChangeWorld& told) {
 void Interaction::hear(const PartnerSeen& seen) { sightings_.see(seen.telemetry); }
 
 void Interaction::hear(const JointTaskTold& told) {
+  using interaction::JointPhase;
+  const std::pair about{told.status.subject, told.status.uav};
+  const JointPhase phase = told.status.phase;
+  if (phase != JointPhase::kNotLoaded && phase != JointPhase::kAborted) {
+    refusals_.erase(about);
+  } else {
+    refusals_.try_emplace(about, Refusal{host_.bus().now(), {}}).first->second.why =
+        told.status.why;
+  }
   for (const auto& [id, task] : tasks_) {
     if (task->joint().subject == told.status.subject) task->partner_told(told.status, told.at);
   }

@@ -56,6 +56,13 @@ class Interaction final : public Component {
   void withdraw(const std::string& subject, const std::string& why);
   /// Since when a UAV is out of reach; absent: it is in reach.
   std::optional<MissionTime> silent_since(const std::string& uav) const;
+  /// What a UAV said last of a joint task: that it takes no part, or not any more.
+  struct Refusal {
+    MissionTime since;
+    std::string why;
+  };
+  /// Null: it has not said so, or says something else since.
+  const Refusal* refusal_of(const std::string& subject, const std::string& uav) const;
   /// The id for a new task of a role.
   executive::TaskId next_id();
 
@@ -69,6 +76,7 @@ class Interaction final : public Component {
   void carry_out(const interaction::NegotiationSettled& effect);
   void carry_out(const interaction::MessageRejected& effect);
   void stop_reckoning(const std::string& subject);
+  void refuse(const supervisor::LoadJointTask& asked, const Joint& joint, const std::string& why);
   void give_up_closed_ways(const world::VehicleState& state);
   JointTask* about(const std::string& subject);
 
@@ -78,6 +86,7 @@ class Interaction final : public Component {
   std::map<executive::TaskId, std::unique_ptr<JointTask>> tasks_;
   MissionTime born_;
   std::map<std::string, std::optional<MissionTime>> silent_since_;  ///< of nodes with known contact
+  std::map<std::pair<std::string, std::string>, Refusal> refusals_;  ///< by subject and UAV
   std::uint64_t next_id_ = 0;
   std::map<std::uint64_t, interaction::SessionId> reckonings_;  ///< by job
   std::uint64_t last_reckoning_ = 0;

@@ -21,7 +21,7 @@ using Kind = interaction::NegotiationOutcome::Kind;
 constexpr const char* kRoles = "/roles";
 constexpr const char* kStart = "/start";
 constexpr Duration kSession = Duration::milliseconds(30'000);
-constexpr Duration kAgain = Duration::milliseconds(1'000);
+constexpr Duration kRetry = Duration::milliseconds(1'000);
 constexpr Duration kPatience =
     Duration::milliseconds(600'000);  // where the plan has no latest start
 // Where it has run and failed, it is due: whom it failed for comes back soon, or is done without.
@@ -31,10 +31,9 @@ constexpr Duration kSilence = Duration::milliseconds(60'000);  // then a partner
 // later, twice as much each time.
 constexpr Duration kAhead = Duration::milliseconds(5'000);
 constexpr Duration kFurthestAhead = Duration::milliseconds(60'000);
-/// What keeps it from being agreed on is said once it has stood so long.
-constexpr Duration kWorthAWord = Duration::milliseconds(10'000);
-constexpr double kFarthest = 1e8;  // [s]
-constexpr double kRoom = 1;        // [s] at the end of an interval
+constexpr double kFarthest = 1e8;      // [s]
+constexpr double kSameBeginning = 25;  // [m] what a refusal depends on is the same
+constexpr double kRoom = 1;            // [s] at the end of an interval
 
 /// Why a role cannot be played by who has these devices no more; empty: it needs none of them.
 std::string lacking(const interaction::Role& role, const std::vector<std::string>& failed) {
@@ -85,8 +84,9 @@ bool JointTask::is_to_begin() const {
 
 void JointTask::load(bool again) {
   again_ = again;
+  asked_at_ = now();
   wait_for_partners();
-  do_without_the_silent();
+  do_without_the_absent();
   negotiate_roles();
   announce();
 }
@@ -110,11 +110,14 @@ void JointTask::ask_again(executive::TaskId task, std::vector<mission::Interval>
       ahead_ = std::clamp(ahead_ + ahead_, kAhead, kFurthestAhead);
       negotiate_start();
     }
+  } else if (roles_known_ && retries_.at()) {
+    retries_.anew(now());
   }
   announce();
 }
 
-// Until it is to start at the latest; where that is not said, some time after it could have.
+// Until it is to start at the latest; where that is not said, some time after it could have: its
+// plan is made anew while it waits, and could begin it anew each time.
 void JointTask::wait_for_partners() {
   Duration latest, first = preferences_.front().least;
   for (const mission::Interval& one : preferences_) {
@@ -122,21 +125,30 @@ void JointTask::wait_for_partners() {
     first = std::min(first, one.least);
   }
   const bool bounded = latest < Duration::seconds(kFarthest);
-  try_until_ = bounded
-                   ? MissionTime() + latest
-                   : std::max(now(), MissionTime() + first) + (again_ ? kPatienceAgain : kPatience);
+  const MissionTime could = std::max(now(), MissionTime() + first);
+  if (could > now() + kRetry)
+    due_since_.reset();
+  else if (!due_since_)
+    due_since_ = could;
+  try_until_ = bounded ? MissionTime() + latest
+                       : due_since_.value_or(could) + (again_ ? kPatienceAgain : kPatience);
 }
 
 // Its partners find out likewise; until they have, they want other members.
-void JointTask::do_without_the_silent() {
+void JointTask::do_without_the_absent() {
   std::vector<std::string> there = asked_.members;
+  std::string why;
   std::erase_if(there, [&](const std::string& uav) {
-    const auto since = uav == self() ? std::nullopt : interaction_.silent_since(uav);
-    return since && *since + kSilence <= now();
+    if (uav == self()) return false;
+    const auto since = interaction_.silent_since(uav);
+    const Interaction::Refusal* refused = interaction_.refusal_of(asked_.subject, uav);
+    const bool stands = refused && std::max(refused->since, asked_at_) + kSilence <= now();
+    if (stands) why = "'" + uav + "' takes no part: " + refused->why;
+    return stands || (since && *since + kSilence <= now());
   });
-  if (there == my_.joint.members || there.size() < 2) return;
-  auto fewer = among(asked_, there);
-  if (!fewer) return;
+  if (there == my_.joint.members) return;
+  auto fewer = there.size() < 2 ? std::nullopt : among(asked_, there);
+  if (!fewer) return why.empty() ? void() : not_loaded(why);
   host_.bus().emit(Notice{asked_.subject + ": it is loaded among " + joined(there, ", ") + " now"});
   my_.joint.variant = fewer->variant;
   my_.joint.members = std::move(fewer->members);
@@ -279,17 +291,10 @@ void JointTask::answer() {
 
 void JointTask::not_agreed(const std::string& why) {
   my_.why = why;
-  if (kept_.is_worth_a_word(why, now()))
+  if (retries_.failed(why, now()))
     host_.bus().emit(Notice{my_.joint.subject + " is not agreed on, and is tried until " +
                             std::to_string(std::lround(try_until_.to_seconds())) + " s: " + why});
-  if (now() + kAgain > try_until_) return not_loaded(why);
-  again_at_ = now() + kAgain;
-}
-
-bool JointTask::Kept::is_worth_a_word(const std::string& reason, MissionTime now) {
-  if (why != reason) *this = {reason, now, false};
-  if (said || now < since + kWorthAWord) return false;
-  return said = true;
+  if (now() + kRetry > try_until_) not_loaded(why);
 }
 
 void JointTask::not_loaded(const std::string& why) {
@@ -322,8 +327,13 @@ void JointTask::task_changed(const executive::TaskEvent& event) {
 }
 
 void JointTask::watch() {
-  if (my_.phase != JointPhase::kRunning || sightings_.own() == nullptr) return;
-  if (play_.watch()) announce();
+  if (sightings_.own() == nullptr) return;
+  if (my_.phase == JointPhase::kRunning && play_.watch()) announce();
+  const auto world = my_.phase == JointPhase::kLoading ? host_.world() : nullptr;
+  if (world == nullptr) return;
+  const double circle = 2 * host_.config().knowledge->vehicle.orbit_radius;
+  retries_.see({where_it_begins().position, world->volumes, sightings_.own()->failed},
+               kSameBeginning + circle, now());
 }
 
 // ---- partners ----
@@ -373,7 +383,7 @@ void JointTask::load_again(const std::string& why) {
   roles_known_ = false;
   my_.holders.clear();
   agreed_start_.reset();
-  again_at_ = now() + kAgain;
+  retries_.anew(now());
   announce();
 }
 
@@ -400,10 +410,10 @@ void JointTask::partner_in_reach(const std::string& uav, bool reachable) {
 // ---- time ----
 
 void JointTask::time_passes() {
-  if (again_at_ && *again_at_ <= now() && my_.phase == JointPhase::kLoading) {
-    again_at_.reset();
-    if (!roles_known_) do_without_the_silent();
-    roles_known_ ? negotiate_start() : negotiate_roles();
+  if (retries_.is_due(now()) && my_.phase == JointPhase::kLoading) {
+    retries_.tried();
+    if (!roles_known_) do_without_the_absent();
+    if (my_.phase == JointPhase::kLoading) roles_known_ ? negotiate_start() : negotiate_roles();
   }
   if (my_.phase == JointPhase::kLoading && try_until_ <= now()) not_loaded(my_.why);
   begin_if_due();
@@ -419,7 +429,7 @@ void JointTask::time_passes() {
 std::optional<MissionTime> JointTask::next_wakeup() const {
   if (over()) return std::nullopt;
   std::optional<MissionTime> next = play_.next_wakeup();
-  if (my_.phase == JointPhase::kLoading) next = earliest(next, earliest(again_at_, try_until_));
+  if (my_.phase == JointPhase::kLoading) next = earliest(next, earliest(retries_.at(), try_until_));
   if (my_.phase == JointPhase::kLoaded && dispatched_) next = earliest(next, agreed_start_);
   if (my_.phase == JointPhase::kRunning) {
     for (const auto& [uav, since] : silent_since_) next = earliest(next, since + kSilence);

@@ -12,6 +12,7 @@
 #include "interaction/joint_host.hpp"
 #include "interaction/joint_play.hpp"
 #include "interaction/places.hpp"
+#include "interaction/retries.hpp"
 #include "interaction/sightings.hpp"
 #include "skein/decision_node/messages.hpp"
 #include "skein/negotiation/joint_task_status.hpp"
@@ -30,12 +31,13 @@ class Interaction;
 ///   any       interrupted, a partner left or is lost               leaving, aborted
 ///
 /// A role that listens to "member lost" goes on without a partner that left or is lost. While the
-/// task loads, a member that is out of reach for a minute is left out if the model has a variant
-/// for the remaining members.
+/// task loads, a member that is out of reach, or says that it takes no part, for a minute is left
+/// out if the model has a variant for the remaining members. Else it is waited for while it is out
+/// of reach; where it takes no part, the task is not loaded.
 ///
-/// A failed negotiation is repeated until the latest start. If other roles are agreed while the
-/// task runs, the new role begins once the running tasks of the old one are over. Source: T IV.3, T
-/// V.3, spec 7.2 to 7.4.
+/// A failed negotiation is repeated until the latest start (Retries). If other roles are agreed
+/// while the task runs, the new role begins once the running tasks of the old one are over. Source:
+/// T IV.3, T V.3, spec 7.2 to 7.4.
 class JointTask {
  public:
   JointTask(JointHost& host, Interaction& interaction, Joint joint,
@@ -98,7 +100,7 @@ class JointTask {
   double cost_of_change(const std::string& role) const;
   void wait_for_partners();
   void answer();
-  void do_without_the_silent();
+  void do_without_the_absent();
   void negotiate_roles();
   void negotiate_start();
   void roles_agreed(const interaction::Terms& terms, const interaction::Rows& result);
@@ -119,26 +121,16 @@ class JointTask {
   bool dispatched_ = false;  ///< the executive has started it
   bool again_ = false;       ///< it has run before
   MissionTime try_until_;
-  std::optional<MissionTime> again_at_;  ///< when to negotiate again
-  bool answered_ = false;                ///< the supervisor was told that it is loaded
+  MissionTime asked_at_;                  ///< the last time that it was loaded
+  std::optional<MissionTime> due_since_;  ///< it could begin at once, and has waited for others
+  Retries retries_;
+  bool answered_ = false;  ///< the supervisor was told that it is loaded
   bool roles_known_ = false;
   MissionTime agreed_at_;
   Duration ahead_;  ///< time before the role's first action, added to the offered start
   std::optional<MissionTime> agreed_start_;
   MissionTime start_agreed_at_;
   std::map<std::string, MissionTime> silent_since_;  ///< partners
-  /// The reason why nothing is agreed yet, and since when.
-  struct Kept {
-    std::string why;
-    MissionTime since;
-    bool said = false;
-
-    /// Whether the reason should be reported now; true once. A reason that soon passes by itself,
-    /// such as a partner that gets its mission a little later, is not reported.
-    bool is_worth_a_word(const std::string& reason, MissionTime now);
-  };
-  Kept kept_;
-
   std::optional<interaction::JointTaskStatus> told_;
 };
 

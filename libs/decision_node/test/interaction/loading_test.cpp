@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// A joint task that is not agreed on: how often it is tried, and for how long. "marvin" and "heliv"
+// are its members.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <deque>
+
+#include "skein/decision_node/stand_in.hpp"
+#include "skein/negotiation/negotiation_manager.hpp"
+#include "testing/flown_node.hpp"
+#include "testing/stood_in.hpp"
+
+namespace skein::decision_node {
+namespace {
+
+using executive::TaskState;
+using interaction::JointPhase;
+using interaction::SessionMessage;
+using testing::all;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// Stands in for "marvin"; heliv answers each session, and can play no role.
+class NotAgreedOn : public ::testing::Test {
+ protected:
+  NotAgreedOn() {
+    give(testing::flying(true));
+    give(PlayJointTask{testing::watching_task()});
+  }
+
+  void give(const StandInInput& input) {
+    std::deque<StandInEffects> open{stand_in_.handle(input, now_)};
+    while (!open.empty()) {
+      const StandInEffects effects = std::move(open.front());
+      open.pop_front();
+      for (const auto& one : all<SendNegotiation>(effects.said))
+        for (const SessionMessage& answer :
+             answers(interaction::SessionMessageReceived{one.message}))
+          open.push_back(stand_in_.handle(answer, now_));
+      for (const auto& one : all<NegotiationNoted>(effects.said))
+        if (one.state == "failed") failed_.push_back(now_);
+      for (const Notice& one : all<Notice>(effects.said)) notices_.push_back(one.text);
+      for (const auto& one : effects.changed)
+        if (is_terminal(one.state)) over_.push_back(one.reason);
+    }
+  }
+
+  /// Marvin's telemetry and heliv's come each second.
+  void run(int seconds) {
+    for (int i = 0; i < seconds; ++i) {
+      now_ = now_ + Duration::seconds(1);
+      world::Telemetry own = testing::flying(true), other = own;
+      own.state.position = place_;
+      other.uav = "heliv";
+      give(own);
+      give(PartnerSeen{other});
+      give(Tick{});
+    }
+  }
+
+  /// What heliv says of the joint task.
+  void tell(JointPhase phase, const std::string& why) {
+    JointTaskTold told;
+    told.status.uav = "heliv";
+    told.status.subject = testing::joint().subject;
+    told.status.phase = phase;
+    told.status.why = why;
+    told.at = now_;
+    give(told);
+  }
+
+  std::size_t failed_since(MissionTime from) const {
+    return static_cast<std::size_t>(
+        std::count_if(failed_.begin(), failed_.end(), [&](MissionTime at) { return at > from; }));
+  }
+
+  MissionTime now_ = MissionTime::seconds(10);
+  world::Vector3 place_ = world::Vector3::Zero();
+  std::vector<MissionTime> failed_;  ///< sessions
+  std::vector<std::string> notices_, over_;
+
+ private:
+  std::vector<SessionMessage> answers(const interaction::NegotiationInput& input) {
+    std::vector<SessionMessage> sent;
+    const auto effects = heliv_.handle(input, now_);
+    for (const interaction::NegotiationEffect& effect : effects.value()) {
+      std::vector<SessionMessage> more;
+      if (const auto* send = std::get_if<interaction::SendSessionMessage>(&effect)) {
+        more = {send->message};
+      } else if (const auto* invited = std::get_if<interaction::InvitedToNegotiate>(&effect)) {
+        const interaction::Terms& terms = invited->terms;
+        more = answers(interaction::BeginNegotiation{terms.subject, terms.modality, terms.members,
+                                                     terms.model, terms.parameters});
+      } else if (const auto* asked = std::get_if<interaction::PrepareOffer>(&effect)) {
+        more = answers(interaction::OfferPrepared{
+            asked->terms.id(), failure("it can play no role: watch: no viewpoint")});
+      }
+      sent.insert(sent.end(), more.begin(), more.end());
+    }
+    return sent;
+  }
+
+  StandIn stand_in_{testing::stood_in_config("relay")};
+  interaction::NegotiationManager heliv_{
+      "heliv", 1, interaction::standard_modalities(), {}, MissionTime()};
+};
+
+// Found by an outsider: 120 s of processor time for 539 s of a mission.
+TEST_F(NotAgreedOn, WhatIsRefusedForOneReasonIsAskedEverMoreRarely) {
+  run(60);
+  EXPECT_GE(failed_.size(), 10U);
+  const MissionTime then = now_;
+  run(120);
+  EXPECT_GE(failed_since(then), 5U);
+  EXPECT_LE(failed_since(then), 8U);
+}
+
+TEST_F(NotAgreedOn, TheReasonIsSaidOnce) {
+  run(300);
+  EXPECT_THAT(notices_, ElementsAre(HasSubstr("heliv: it can play no role: watch: no viewpoint")));
+}
+
+TEST_F(NotAgreedOn, WhoIsElsewhereNowAsksAtOnce) {
+  run(120);
+  const MissionTime then = now_;
+  place_ = {200, 0, 0};
+  run(3);
+  EXPECT_EQ(failed_since(then), 1U);
+}
+
+TEST_F(NotAgreedOn, WithoutAPartnerThatTakesNoPartForAMinuteItIsNotLoaded) {
+  run(5);
+  tell(JointPhase::kNotLoaded, "no role needs what it has");
+  run(40);
+  EXPECT_THAT(over_, IsEmpty());
+  run(40);
+  EXPECT_THAT(over_, ElementsAre("'heliv' takes no part: no role needs what it has"));
+}
+
+TEST_F(NotAgreedOn, APartnerThatComesBackToItIsWaitedFor) {
+  tell(JointPhase::kNotLoaded, "no role needs what it has");
+  run(30);
+  tell(JointPhase::kLoading, "");
+  run(100);
+  EXPECT_THAT(over_, IsEmpty());
+}
+
+TEST(Loading, WhoFitsNoRoleTellsItsPartners) {
+  Config config = testing::stood_in_config("relay");
+  auto library = std::make_shared<interaction::Library>(*config.interaction);
+  for (auto& [name, role] : library->roles) role.requirements.push_back({"device", "sonar"});
+  config.interaction = library;
+  StandIn stand_in(config);
+  stand_in.handle(testing::flying(true), MissionTime::seconds(10));
+
+  const auto effects =
+      stand_in.handle(PlayJointTask{testing::watching_task()}, MissionTime::seconds(10));
+
+  const auto told = all<JointTaskChanged>(effects.said);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_THAT(told[0].partners, ElementsAre("heliv"));
+  EXPECT_EQ(told[0].status.phase, JointPhase::kNotLoaded);
+  EXPECT_THAT(told[0].status.why, HasSubstr("sonar"));
+}
+
+}  // namespace
+}  // namespace skein::decision_node
