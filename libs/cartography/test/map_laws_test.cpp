@@ -99,8 +99,7 @@ void on_drawn_maps(const Law& law) {
   }
 }
 
-// ---- layers
-// --------------------------------------------------------------------------------------
+// ---- layers ---------------------------------------------------------------------------------
 
 TEST(MapLayers, PutMarkersWhereTheyAre) {
   on_drawn_maps([](MapOfAFrame& drawn) {
@@ -273,8 +272,7 @@ TEST(MapLayers, NameALinkInItsMiddle) {
   EXPECT_NEAR(label[0], (line[0] + line[2]) / 2, 0.2);
 }
 
-// ---- closed air
-// ----------------------------------------------------------------------------------
+// ---- closed air -----------------------------------------------------------------------------
 
 TEST(ClosedAir, IsNamedWithItsLevelsAndTimesWhereItHasThem) {
   const Frame frame{-100, -100, 100, 100};
@@ -315,8 +313,7 @@ TEST(ClosedAir, WhoseMiddleIsNotOnTheMapHasNoName) {
               AllOf(HasSubstr("url(#closed)\" stroke="), Not(HasSubstr("smoke"))));
 }
 
-// ---- frames
-// --------------------------------------------------------------------------------------
+// ---- frames ---------------------------------------------------------------------------------
 
 TEST(Frames, ShowAllPointsAndAreNeitherNarrowNorFlat) {
   const world::World world = level_world();
@@ -358,8 +355,7 @@ TEST(Frames, OfNothingOrOfNoNumbersAreTheWholeTerrain) {
   EXPECT_EQ(frame.north, 500);
 }
 
-// ---- what stands around the map
-// ------------------------------------------------------------------
+// ---- what stands around the map -------------------------------------------------------------
 
 TEST(Ticks, AreTheLeastRoundStepOfFewEnough) {
   Random random(5);
@@ -413,8 +409,7 @@ TEST(Titles, ComeWithTheLinesUnderThemAndWithoutEmptyOnes) {
                     HasSubstr(">two</text>"), HasSubstr("level ground at 20 m")));
 }
 
-// ---- profiles
-// ------------------------------------------------------------------------------------
+// ---- profiles -------------------------------------------------------------------------------
 
 std::vector<Vector2> spots(const std::string& text) {
   std::vector<Vector2> out;

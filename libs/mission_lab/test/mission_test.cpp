@@ -165,8 +165,7 @@ TEST(MissionText, WithoutAnythingToDoOrWithoutAnEndHasNoLastStep) {
   EXPECT_THAT(to_yaml(asked, ".."), HasSubstr("            evaluate: true\n"));
 }
 
-// ---- with one part less
-// --------------------------------------------------------------------------
+// ---- with one part less ---------------------------------------------------------------------
 
 /// How many parts could be left out of it.
 std::size_t parts(const Mission& mission) {

@@ -244,8 +244,7 @@ TEST(Forgetting, IsAddedInsideTheFault) {
             "{at: 3.0, kill: sim, restart_after: 1.5, forgets: true}");
 }
 
-// ---- troubles of a mission that somebody else wrote
-// ----------------------------------------------
+// ---- troubles of a mission that somebody else wrote -----------------------------------------
 
 Stage stage(double until) {
   return {{{"karma", {"mapping"}}, {"marvin", {}}}, {"ground", "sim", "karma"}, until};

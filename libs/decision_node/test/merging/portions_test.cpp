@@ -68,8 +68,7 @@ std::vector<Points> flown(Portions portions) {
   return all;
 }
 
-// ---- the reference
-// -------------------------------------------------------------------------------
+// ---- the reference --------------------------------------------------------------------------
 
 /// Numbers of way-points in each portion: at least a minute each, where half a minute is left.
 std::vector<std::size_t> cut(const Sweep& sweep) {
@@ -161,8 +160,7 @@ std::vector<std::size_t> sizes(const std::vector<Points>& portions) {
   return counts;
 }
 
-// ---- laws
-// ----------------------------------------------------------------------------------------
+// ---- laws -----------------------------------------------------------------------------------
 
 RC_GTEST_PROP(PortionsProperty, OfAMinuteEachIfTheWayNeverComesBack, ()) {
   Sweep sweep = drawn_sweep();
@@ -196,8 +194,7 @@ RC_GTEST_PROP(PortionsProperty, AreTogetherTheWholeWayInItsOrder, ()) {
   RC_ASSERT(all == sweep.points);
 }
 
-// ---- examples
-// ------------------------------------------------------------------------------------
+// ---- examples -------------------------------------------------------------------------------
 
 TEST(Portions, OfLanesWideApartAreAsManyAsThereAreMinutes) {
   Sweep sweep = lanes(6, 300, 60);  // a lane lasts a minute, a turn 12 s
