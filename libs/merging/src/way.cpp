@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "skein/foundation/contract.hpp"
+#include "skein/world/segment.hpp"
 
 namespace skein::merging {
 
@@ -113,7 +114,13 @@ Way::Way(const std::vector<Vector3>& points, const Margins& margins, bool from_r
 
 bool Way::passed(const Vector3& position) {
   const std::size_t before = piece_;
+  // Of bends near each other all are near at once, with the vehicle before the first of them.
+  const auto is_beside = [&](std::size_t piece) {
+    const double way = std::max(near_, volumes_[piece].radius);
+    return world::to_segment(position, points_[piece], points_[piece + 1]) <= way;
+  };
   while (piece_ + 2 < points_.size()) {
+    if (hovers_ && piece_ > 0 && is_beside(piece_ - 1)) break;
     const Vector3 along = points_[piece_ + 1] - points_[piece_];
     const Vector3 off = position - points_[piece_ + 1];
     if (off.norm() > near_ && off.dot(along) < 0) break;

@@ -137,14 +137,18 @@ TEST(Way, WhoCannotHoverKeepsWhatItMayTurnBackTo) {
   EXPECT_TRUE(is_in(way.left(), {200, 100, 40})) << "not flown yet";
 }
 
+// Two bends 5 m apart, both near at 8.5 m before the first.
+TEST(Way, ThePieceBeforeTwoBendsNearEachOtherIsKeptUntilTheVehicleIsOutOfIt) {
+  const Vector3 before(41.5, 0, 40);
+  Way way({{0, 0, 40}, {50, 0, 40}, {50, 5, 40}, {100, 5, 40}}, kHovers);
+  way.passed(before);
+  EXPECT_TRUE(is_in(way.left(), before));
+  EXPECT_TRUE(way.passed({70, 5, 40}));
+  EXPECT_FALSE(is_in(way.left(), before));
+}
+
 // Flown within its margins, seen once a second, it never leaves what is not left.
-RC_GTEST_PROP(WayProperty, WhoFliesItIsInWhatIsLeftOfIt, ()) {
-  Random random(*rc::gen::arbitrary<std::uint64_t>());
-  std::vector<Vector3> points{{0, 0, 40}};
-  for (std::size_t n = 1 + random.below(5); n > 0; --n) {
-    points.emplace_back(random.uniform(-200, 200), random.uniform(-200, 200),
-                        random.uniform(30, 60));
-  }
+void expect_in_what_is_left(const std::vector<Vector3>& points, Random& random) {
   Way way(points, kHovers);
   const std::vector<Vector3> corners = way.points();
   double seen = 0;
@@ -163,6 +167,27 @@ RC_GTEST_PROP(WayProperty, WhoFliesItIsInWhatIsLeftOfIt, ()) {
       RC_ASSERT(is_in(way.left(), at));
     }
   }
+}
+
+RC_GTEST_PROP(WayProperty, WhoFliesItIsInWhatIsLeftOfIt, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  std::vector<Vector3> points{{0, 0, 40}};
+  for (std::size_t n = 1 + random.below(5); n > 0; --n) {
+    points.emplace_back(random.uniform(-200, 200), random.uniform(-200, 200),
+                        random.uniform(30, 60));
+  }
+  expect_in_what_is_left(points, random);
+}
+
+RC_GTEST_PROP(WayProperty, WhoFliesBendsNearEachOtherIsInWhatIsLeftOfThem, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  std::vector<Vector3> points{{0, 0, 40}, {60, 0, 40}};
+  for (std::size_t n = 1 + random.below(6); n > 0; --n) {
+    const double side = random.chance(0.7) ? 12 : 60;
+    points.push_back(points.back() + Vector3(random.uniform(-side, side),
+                                             random.uniform(-side, side), random.uniform(-4, 4)));
+  }
+  expect_in_what_is_left(points, random);
 }
 
 }  // namespace
