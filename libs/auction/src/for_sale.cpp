@@ -59,9 +59,13 @@ Holding holding(const Ledger& ledger, const std::set<MemberNumber>& here, Member
     const bool away = std::any_of(owners.begin(), owners.end(),
                                   [&](MemberNumber owner) { return !here.contains(owner); });
     if (away) continue;
-    result.tasks.push_back(task);
-    if (entry.stage == Stage::kGranted)
-      result.fixed = static_cast<std::uint32_t>(result.tasks.size());
+    if (entry.stage == Stage::kOwned) {
+      result.tasks.push_back(task);
+      continue;
+    }
+    // What is granted is done first, whatever the route says, and the rest may still move.
+    result.tasks.insert(result.tasks.begin() + result.fixed, task);
+    ++result.fixed;
   }
   return result;
 }

@@ -2,6 +2,7 @@
 #include "own_work.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "for_sale.hpp"
 
@@ -23,13 +24,18 @@ bool OwnWork::has_ended(const Claim& claim) const {
   return is(disk_.done) || is(disk_.stopped);
 }
 
-// The next of its route that wait for nothing; all of them when it has been idle for long, since
-// routes that were sold in parts of the team may wait for each other.
+// All of them when it has waited for long, since routes that were sold in parts of the team may
+// wait for each other.
 std::vector<Claim> OwnWork::wants(MissionTime now) const {
+  const bool stuck = waits_since_ && now - *waits_since_ > limits_.lease;
+  return next_of_route(stuck ? std::numeric_limits<std::uint32_t>::max() : limits_.ahead);
+}
+
+// Those of the next `most` of its route that wait for nothing and have no grant.
+std::vector<Claim> OwnWork::next_of_route(std::uint32_t most) const {
   std::vector<Claim> wants;
   const auto route = ledger().routes.find(self_);
   if (route == ledger().routes.end()) return wants;
-  const bool stuck = idle_since_ && now - *idle_since_ > limits_.lease;
   std::uint32_t ahead = 0;
   for (const TaskNumber task : route->second) {
     const auto found = ledger().entries.find(task);
@@ -37,7 +43,7 @@ std::vector<Claim> OwnWork::wants(MissionTime now) const {
     const LedgerEntry& entry = found->second;
     if (entry.stage != Stage::kOwned && entry.stage != Stage::kGranted) continue;
     if (!all_before_done(ledger(), entry)) continue;
-    if (ahead++ == limits_.ahead && !stuck) break;
+    if (ahead++ == most) break;
     if (entry.stage == Stage::kOwned) wants.push_back({task, entry.sale});
   }
   return wants;
@@ -80,10 +86,13 @@ std::optional<Claim> OwnWork::begin_next(std::uint64_t committed, MissionTime no
     if (next == nullptr || entry.revision < next->revision) next = &entry;
   }
   if (next == nullptr) {
-    if (!idle_since_) idle_since_ = now;
+    if (next_of_route(limits_.ahead).empty())
+      waits_since_.reset();
+    else if (!waits_since_)
+      waits_since_ = now;
     return std::nullopt;
   }
-  idle_since_.reset();
+  waits_since_.reset();
   running_ = Claim{next->task.number, next->sale};
   disk_.started[running_->task] = running_->sale;
   return running_;

@@ -20,8 +20,8 @@ class OwnWork {
   /// Whether this member has done or given up the task under that sale or a later one.
   bool has_ended(const Claim& claim) const;
   /// Claims for the next `limits.ahead` tasks of the route whose predecessors are done; for all
-  /// such tasks after an idle time of `limits.lease`, since routes that were sold in separate parts
-  /// of the team may wait for each other.
+  /// such tasks after it has waited for a grant for `limits.lease`, since routes that were sold in
+  /// separate parts of the team may wait for each other.
   std::vector<Claim> wants(MissionTime now) const;
 
   /// The running task is done. False: `task` is not running.
@@ -39,12 +39,13 @@ class OwnWork {
   bool mine(const LedgerEntry& entry) const;
   bool ended(const LedgerEntry& entry) const;
   const Ledger& ledger() const { return *disk_.ledger; }
+  std::vector<Claim> next_of_route(std::uint32_t most) const;
 
   MemberNumber self_;
   TeamLimits limits_;
   Disk& disk_;
   std::optional<Claim> running_;
-  std::optional<MissionTime> idle_since_;
+  std::optional<MissionTime> waits_since_;  ///< idle, with tasks that could be granted
 };
 
 }  // namespace skein::auction

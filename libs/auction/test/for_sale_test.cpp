@@ -66,7 +66,7 @@ TEST(LotForSale, KeepsThePrecedencesOfWhatIsOnSaleAlone) {
               ElementsAre(Precedence{TaskNumber(2), TaskNumber(3)}));
 }
 
-TEST(HoldingInASale, IsTheMembersRouteFixedUpToTheLastThatIsGranted) {
+TEST(HoldingInASale, IsTheMembersRouteWithWhatIsGrantedFixedAtItsHead) {
   const Ledger ledger = a_ledger()
                             .has(a_task(1), Stage::kDone, {1})
                             .has(a_task(2), Stage::kOwned, {1})
@@ -75,8 +75,8 @@ TEST(HoldingInASale, IsTheMembersRouteFixedUpToTheLastThatIsGranted) {
 
   const Holding held = holding(ledger, kOneAndTwo, MemberNumber(1));
 
-  EXPECT_THAT(held.tasks, ElementsAre(TaskNumber(2), TaskNumber(3), TaskNumber(4)));
-  EXPECT_EQ(held.fixed, 2U);
+  EXPECT_THAT(held.tasks, ElementsAre(TaskNumber(3), TaskNumber(2), TaskNumber(4)));
+  EXPECT_EQ(held.fixed, 1U);
 }
 
 TEST(HoldingInASale, LeavesOutWhatWasSoldOnAndWhatAPartnerWhoIsAwayHasToo) {

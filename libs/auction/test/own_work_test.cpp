@@ -61,6 +61,22 @@ TEST_F(OwnWorkTest, IdleForLongerThanTheLeaseItWantsAllThatItCould) {
   EXPECT_THAT(own.wants(at(15.001)), ElementsAre(claim_to(1), claim_to(2)));
 }
 
+// It sat idle before the mission came; that is no reason to leave the order of its route.
+TEST_F(OwnWorkTest, TimeWithoutWorkIsNoTimeOfWaiting) {
+  knows(a_ledger());
+  own.begin_next(99, at(5));
+  knows(a_ledger().has(a_task(8), Stage::kOwned, {1}).has(a_task(2), Stage::kOwned, {1}));
+
+  EXPECT_THAT(own.wants(at(500)), ElementsAre(claim_to(8)));
+  own.begin_next(99, at(500));
+  EXPECT_THAT(own.wants(at(510)), ElementsAre(claim_to(8)));
+  EXPECT_THAT(own.wants(at(510.001)), ElementsAre(claim_to(8), claim_to(2)));
+  knows(a_ledger());
+  own.begin_next(99, at(520));
+  knows(a_ledger().has(a_task(8), Stage::kOwned, {1}).has(a_task(2), Stage::kOwned, {1}));
+  EXPECT_THAT(own.wants(at(900)), ElementsAre(claim_to(8)));
+}
+
 TEST_F(OwnWorkTest, WhoHasNoRouteWantsNothing) {
   knows(a_ledger().has(a_task(1), Stage::kOwned, {2}));
 

@@ -221,6 +221,48 @@ TEST(Team, OneThatComesLateTakesOverWork) {
   EXPECT_GE(std::count_if(team.executions().begin(), team.executions().end(), late), 2);
 }
 
+// Tasks from 0 on at 100 m, 90 m and so on along the line.
+GivenMission mission_towards_the_origin(std::size_t tasks) {
+  GivenMission mission = mission_of(tasks, 5);
+  for (std::size_t i = 0; i < tasks; ++i)
+    mission.lot.tasks[i].at = {100 - 10 * static_cast<double>(i), 0};
+  return mission;
+}
+
+TEST(Team, TasksAreBegunInTheOrderOfTheRouteHoweverLongTheTeamWasIdle) {
+  TeamWorld world = line_world(1);
+  world.ground = true;
+  TeamSimulation team(world);
+  team.run_until(seconds(60));
+
+  team.give(1, mission_towards_the_origin(5));
+  team.run_until(seconds(300));
+
+  std::vector<TaskNumber> begun;
+  for (const Execution& one : team.executions()) begun.push_back(one.claim.task);
+  EXPECT_THAT(begun, ::testing::ElementsAre(task_number(4), task_number(3), task_number(2),
+                                            task_number(1), task_number(0)));
+}
+
+TEST(Team, OneThatWasCutOffTakesOverWorkWhenItIsBack) {
+  TeamWorld world = line_world(2);
+  world.vehicles[1].begin = {100, 0};
+  world.ground = true;
+  TeamSimulation team(world);
+  team.run_until(seconds(60));
+  isolate(team, 1);
+  team.run_until(seconds(80));
+  team.give(2, mission_towards_the_origin(8));
+  team.run_until(seconds(100));
+
+  team.heal_all();
+  team.run_until(seconds(400));
+
+  EXPECT_THAT(unfinished(team, 8), IsEmpty());
+  const auto back = [](const Execution& one) { return one.member == member_number(1); };
+  EXPECT_GE(std::count_if(team.executions().begin(), team.executions().end(), back), 2);
+}
+
 TEST(Team, WhatFailsIsPutBackAndSoldAgain) {
   TeamSimulation team(line_world(2));
   team.give(0, mission_of(2, 20));
