@@ -25,6 +25,7 @@ Diagnostics check_assembly(const Scenario& scenario) {
   diagnostics.append(scenario_setup::radio_problems(scenario));
   diagnostics.append(deliberation_setup::planning_problems(scenario));
   diagnostics.append(deliberation_setup::joint_task_problems(scenario));
+  diagnostics.append(deliberation_setup::global_mission_problems(scenario));
   return diagnostics;
 }
 

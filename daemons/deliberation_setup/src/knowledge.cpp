@@ -9,6 +9,7 @@
 #include "skein/foundation/nearest.hpp"
 #include "skein/interaction/role_fit.hpp"
 #include "skein/mission/degree.hpp"
+#include "skein/team/conflicts.hpp"
 #include "skein/world/world_builder.hpp"
 
 namespace skein::deliberation_setup {
@@ -210,6 +211,46 @@ Diagnostics joint_task_problems(const Scenario& scenario) {
   const ground_station::Script& script = scenario.ground.script;
   for (const auto& step : script.steps) check_actions(scenario, step.actions, diagnostics);
   for (const auto& one : script.operators) check_actions(scenario, one.actions, diagnostics);
+  return diagnostics;
+}
+
+namespace {
+
+/// Actions of a step begin at its time, if it waits for a time alone.
+MissionTime begin_of(const ground_station::Trigger& when) {
+  const auto* time = std::get_if<ground_station::AtTime>(&when.what);
+  return time == nullptr ? MissionTime() : time->at;
+}
+
+void check_global_missions(const Scenario& scenario, const mission::Vocabulary& vocabulary,
+                           const std::vector<ground_station::Action>& actions, MissionTime begin,
+                           Diagnostics& diagnostics) {
+  for (const ground_station::Action& action : actions) {
+    const auto* sent = std::get_if<ground_station::SendGlobalMission>(&action);
+    if (sent == nullptr) continue;
+    for (const team::Conflict& one : team::conflicts_of(sent->mission, scenario.team->roster,
+                                                        vocabulary, scenario.uav_names(), begin)) {
+      const TaskPlace place(scenario, scenario.ground.asked, "", one.task);
+      diagnostics.add(place.at("global mission " + to_text(sent->mission.id) + ": " + one.sentence,
+                               "tasks that can all be done", ""));
+    }
+  }
+}
+
+}  // namespace
+
+Diagnostics global_mission_problems(const Scenario& scenario) {
+  Diagnostics diagnostics;
+  if (!scenario.team || !scenario.planning) return diagnostics;
+  const auto vocabulary = vocabulary_of(scenario);
+  if (!vocabulary) return diagnostics;
+  const ground_station::Script& script = scenario.ground.script;
+  for (const auto& step : script.steps) {
+    check_global_missions(scenario, *vocabulary, step.actions, begin_of(step.when), diagnostics);
+  }
+  for (const auto& one : script.operators) {
+    check_global_missions(scenario, *vocabulary, one.actions, begin_of(one.when), diagnostics);
+  }
   return diagnostics;
 }
 

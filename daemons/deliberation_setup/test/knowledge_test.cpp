@@ -169,5 +169,65 @@ TEST(JointTasks, AreForAsManyAsAVariantIsFor) {
                         "perceive × 1 and relay × 1"));
 }
 
+// ---- global missions ----
+
+/// Two UAVs share out one mission of three perceptions: 11, 12 and 13, at 10 s.
+scenario::Scenario team_of_two() {
+  auto scenario =
+      scenario::read_scenario(std::string(SKEIN_SOURCE_DIR) + "/scenarios/team/two.yaml");
+  if (!scenario) ADD_FAILURE() << to_text(scenario.error());
+  return scenario ? *scenario : scenario::Scenario();
+}
+
+team::GlobalMission& mission_of(scenario::Scenario& scenario) {
+  for (auto& step : scenario.ground.script.steps) {
+    for (auto& action : step.actions) {
+      if (auto* sent = std::get_if<ground_station::SendGlobalMission>(&action))
+        return sent->mission;
+    }
+  }
+  ADD_FAILURE() << "no global mission";
+  static team::GlobalMission none;
+  return none;
+}
+
+TEST(GlobalMissions, ThoseOfTheTeamScenariosMakeSense) {
+  EXPECT_TRUE(global_mission_problems(team_of_two()).empty());
+}
+
+TEST(GlobalMissions, ATaskThatWaitsForItselfIsNamedAtItsLine) {
+  scenario::Scenario scenario = team_of_two();
+  mission_of(scenario).tasks.at(0).after = {mission::GoalId(12)};
+  mission_of(scenario).tasks.at(1).after = {mission::GoalId(11)};
+
+  EXPECT_THAT(to_text(global_mission_problems(scenario)),
+              ::testing::MatchesRegex(
+                  ".*scenarios/team/two.yaml:[0-9]+: ground.script\\[0\\].do\\[0\\]."
+                  "global_mission.tasks\\[[01]\\]: global mission 1: tasks 1[12], 1[12], 1[12]: "
+                  "each is to end before the next begins; expected tasks that can all be done\n"));
+}
+
+TEST(GlobalMissions, TheTimeAtWhichTheyAreGivenCounts) {
+  scenario::Scenario scenario = team_of_two();
+  mission_of(scenario).tasks.at(0).task.time.end_before = MissionTime::seconds(29);
+
+  EXPECT_THAT(to_text(global_mission_problems(scenario)),
+              HasSubstr("global mission 1: task 11: the last cannot end before 30 s, its deadline "
+                        "is 29 s: 11 begins at 10 s at the earliest and lasts 20 s"));
+}
+
+TEST(GlobalMissions, ThoseOfOperatorsAreLookedAtToo) {
+  scenario::Scenario scenario = team_of_two();
+  team::GlobalMission narrow = mission_of(scenario);
+  narrow.tasks.resize(1);
+  narrow.tasks.at(0).task.time.end_before = MissionTime::seconds(9);
+  scenario.ground.script.operators.push_back({"asks",
+                                              {ground_station::OnStep{"end"}},
+                                              {},
+                                              {ground_station::SendGlobalMission{narrow, {}}}});
+
+  EXPECT_THAT(to_text(global_mission_problems(scenario)), HasSubstr("its deadline is 9 s"));
+}
+
 }  // namespace
 }  // namespace skein::deliberation_setup

@@ -436,5 +436,21 @@ TEST(SmallSale, IsNearlyAlwaysTheBestOfAllAllocations) {
   EXPECT_GE(best, 95);
 }
 
+// ---- what is left over ----
+
+TEST(SaleOnARoad, WhatNobodyCouldTakeIsSoldOnceATradeMakesRoomForIt) {
+  // Member 0 is nearer to 1, and has the time for one of them only.
+  RoadSale team({{a_task(1).at(10).lasting(30).by(60), a_task(2).at(40).by(45).not_for(1)}, {}},
+                {0, 30});
+  team.limits.together = 1;  // 1 is sold before 2 is called
+  team.limits.trade = 2;
+
+  team.hold();
+
+  EXPECT_EQ(team.route(0), tasks({2}));
+  EXPECT_EQ(team.route(1), tasks({1}));
+  EXPECT_EQ(team.sale->value().unsold, 0U);
+}
+
 }  // namespace
 }  // namespace skein::auction

@@ -75,6 +75,8 @@ team::GlobalTask read_team_task(const Reader& reader, std::size_t number,
     id.error("task " + to_text(asked.task.id) + " is given to the team twice",
              "ids that are unique among all global missions");
   }
+  context.goals.emplace(std::pair(std::string(), asked.task.id),
+                        world::Mark{reader.line(), reader.path()});
   read_statement(reader.required("task"), asked.task, number, targets);
   asked.task.time = read_time_constraints(reader);
   asked.members = static_cast<std::uint32_t>(reader.optional("members").integer(1, 1, 100));

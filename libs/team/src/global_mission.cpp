@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "skein/foundation/joined.hpp"
 #include "skein/mission/alarm_name.hpp"
+#include "skein/team/conflicts.hpp"
 
 namespace skein::team {
 
@@ -13,13 +13,6 @@ namespace {
 
 auction::TaskNumber number_of(mission::GoalId id) {
   return auction::TaskNumber(static_cast<std::uint32_t>(id.value()));
-}
-
-/// "tasks 21, 22, 21: each is to end before the next begins".
-std::string sentence_of(const auction::Contradiction& wrong) {
-  std::vector<std::string> tasks;
-  for (const auction::TaskNumber task : wrong.chain) tasks.push_back(to_text(task));
-  return (tasks.size() == 1 ? "task " : "tasks ") + joined(tasks, ", ") + ": " + wrong.why;
 }
 
 double duration_of(const mission::HighLevelTask& task, const mission::Vocabulary& vocabulary) {
@@ -150,10 +143,8 @@ std::vector<std::string> problems_of(const GlobalMission& mission, const Roster&
   for (const GlobalTask& task : mission.tasks) check_members(task, roster, around, problems);
   check_order(mission, problems);
   if (!problems.empty()) return problems;
-  for (const auction::Contradiction& one :
-       auction::contradictions(given(mission, roster, vocabulary).lot)) {
-    problems.push_back(sentence_of(one));
-  }
+  for (Conflict& one : conflicts_of(mission, roster, vocabulary, around.uavs, now))
+    problems.push_back(std::move(one.sentence));
   return problems;
 }
 

@@ -117,6 +117,58 @@ TEST(GlobalMission, AChainThatIsTooLongForADeadlineIsNamed) {
                                 HasSubstr("its deadline is 20"))));
 }
 
+TEST(GlobalMission, OneThatComesTooLateForItsChainIsRefusedForTheTimeThatIsLeft) {
+  GlobalTask one = look(11), other = look(12);
+  other.after = {mission::GoalId(11)};
+  other.task.time.end_before = MissionTime::seconds(100);
+  const auto at = [&](double now) {
+    return problems_of(mission_of({one, other}), roster(), vocabulary(),
+                       {{"P1"}, {}, {"marvin", "heliv"}, nullptr}, MissionTime::seconds(now));
+  };
+
+  EXPECT_THAT(at(60), IsEmpty());
+  EXPECT_THAT(at(61),
+              ElementsAre("tasks 11, 12: the last cannot end before 101 s, its deadline is 100 s: "
+                          "11 begins at 61 s at the earliest and lasts 20 s, then 12 lasts 20 s"));
+}
+
+TEST(GlobalMission, WhatMayNotEndBeforeHoldsUpWhatComesAfterIt) {
+  GlobalTask one = look(11), other = look(12);
+  one.task.time.end_after = MissionTime::seconds(90);
+  other.after = {mission::GoalId(11)};
+  other.task.time.end_before = MissionTime::seconds(109);
+
+  EXPECT_THAT(problems(mission_of({one, other})), ElementsAre(StartsWith("tasks 11, 12: ")));
+  other.task.time.end_before = MissionTime::seconds(110);
+  EXPECT_THAT(problems(mission_of({one, other})), IsEmpty());
+  one.task.time.start_before = MissionTime::seconds(5);  // it lasts as long as it has to
+  EXPECT_THAT(problems(mission_of({one, other})), IsEmpty());
+}
+
+TEST(GlobalMission, AJointTaskWhoseMembersCannotBeThereTogetherNamesWhoIsMissedAndWhy) {
+  GlobalTask joint = look(21), alone = look(22);
+  joint.members = 2;
+  joint.task.time.end_before = MissionTime::seconds(30);
+  alone.by = "heliv";
+  alone.task.time.end_before = MissionTime::seconds(30);
+
+  EXPECT_THAT(
+      problems(mission_of({joint, alone})),
+      ElementsAre(
+          "tasks 21, 22: both need heliv, and after 21 (ends at 20 s at the earliest, lasts "
+          "20 s) 22 cannot end before 40 s, and must by 30 s; after 22 (ends at 20 s at "
+          "the earliest, lasts 20 s) 21 cannot end before 40 s, and must by 30 s"));
+}
+
+TEST(GlobalMission, AJointTaskThatTooFewMayDoIsAProblem) {
+  GlobalTask joint = look(21);
+  joint.members = 2;
+  joint.not_by = {"heliv"};
+
+  EXPECT_THAT(problems(mission_of({joint})),
+              ElementsAre("task 21: it is for 2 members, and 1 may do it"));
+}
+
 TEST(GlobalMission, OneWhoIsPinnedAndForbiddenContradictsItself) {
   GlobalTask asked = look(11);
   asked.by = "heliv";

@@ -33,4 +33,9 @@ Diagnostics planning_problems(const scenario::Scenario& scenario);
 /// among the members, a degree without deliberation.
 Diagnostics joint_task_problems(const scenario::Scenario& scenario);
 
+/// Tasks of global missions in the script that contradict each other in time or for want of
+/// members, whoever does them, each with the constraints of the conflict (see
+/// team::conflicts_of). Nothing if the scenario has no team or its domain has errors.
+Diagnostics global_mission_problems(const scenario::Scenario& scenario);
+
 }  // namespace skein::deliberation_setup
