@@ -83,11 +83,12 @@ std::optional<OperatorDeed> read_of_person(const Reader& item, TaskContext& cont
 }
 
 void read_item(const Reader& item, TaskContext& context, std::vector<OperatorDeed>& deeds) {
-  const bool is_map = item.keys({"take_in_hand", "give_back", "degree",   "mission", "cancel",
-                                 "plan",         "abort",     "message",  "update",  "drop_plan",
-                                 "resume_plan",  "close_air", "open_air", "finish",  "know_place",
-                                 "know_ground",  "ask",       "keep",     "let_go",  "answer",
-                                 "judge_alarm",  "go",        "play"});
+  const bool is_map =
+      item.keys({"take_in_hand", "give_back", "degree",   "mission",        "cancel",
+                 "plan",         "abort",     "message",  "update",         "drop_plan",
+                 "resume_plan",  "close_air", "open_air", "finish",         "know_place",
+                 "know_ground",  "ask",       "keep",     "let_go",         "answer",
+                 "judge_alarm",  "go",        "play",     "global_mission", "declare_lost"});
   if (!is_map) return;
   if (item.entries().size() != 1) return item.error("an action is one thing", kKinds);
   if (auto deed = read_of_person(item, context)) {

@@ -48,6 +48,21 @@ TEST(RequestReader, TakesOneActionByItself) {
   EXPECT_THAT(texts_of("give_back: {uav: karma}"), ::testing::ElementsAre("give_back karma"));
 }
 
+// An operator of a team gives what its script gives.
+TEST(RequestReader, TakesMissionsOfTheTeamAndWhoIsLostWhereThereIsATeam) {
+  auto two = read_scenario(SKEIN_SOURCE_DIR "/scenarios/team/two.yaml");
+  ASSERT_TRUE(two.has_value()) << to_text(two.error());
+  RequestReader reads(std::make_shared<const Scenario>(std::move(*two)));
+
+  const auto deeds = reads.read(
+      "[{global_mission: {id: 7, tasks: [{id: 71, task: [perceive, west, 5]}]}}, "
+      "{declare_lost: {uav: heliv}}]");
+
+  ASSERT_TRUE(deeds.has_value()) << to_text(deeds.error());
+  EXPECT_EQ(deeds->size(), 2U);
+  EXPECT_THAT(problems_of("{declare_lost: {uav: heliv}}"), HasSubstr("the scenario has no team"));
+}
+
 TEST(RequestReader, PutsAWayOverTheGroundItIsFlownOver) {
   const auto deeds = reader().read("go: {uav: marvin, to: [[10, 20], [30, 40]], altitude: 50}");
 
