@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -49,6 +50,13 @@ TEST(DdsTeam, OperatorsSeeWhoHasWhat) {
 
 // ---- what goes wrong ----
 
+/// Actions of an operator, from a file of the run's folder.
+Answered operate(DdsRun& run, const std::string& number, const std::string& actions) {
+  const fs::path file = run.file("actions-" + number + ".yaml");
+  std::ofstream(file) << actions;
+  return run.skein({"operate", "do", file.string(), "--as", "ada", "--number", number});
+}
+
 std::vector<journal::Record> all_of(const DdsRun& run, const std::string& kind) {
   std::vector<journal::Record> found;
   for (const journal::Record& record : run.records())
@@ -70,6 +78,38 @@ void expect_one_token_a_term(const DdsRun& run) {
     if (record.text("state") == "taken") holders[record.number("term")].emplace(record.text("uav"));
   EXPECT_FALSE(holders.empty());
   for (const auto& [term, names] : holders) EXPECT_EQ(names.size(), 1U) << "term " << term;
+}
+
+TEST(DdsTeam, AMissionGivenTwiceIsOneAndOneThatContradictsItselfIsRefusedWithTheConflict) {
+  DdsRun run;
+  run.take_scenario_of("team/two");
+  run.start({"--rate", "10"});
+  run.wait_for_output("marvin takeoff");
+  const std::string twice =
+      "[{global_mission: {id: 7, tasks: [{id: 71, task: [perceive, west, 5]}]}}]";
+
+  const Answered first = operate(run, "1", twice), again = operate(run, "2", twice);
+  operate(run, "3",
+          "[{global_mission: {id: 8, tasks: [{id: 81, task: [perceive, west, 5], after: [82]}, "
+          "{id: 82, task: [perceive, east, 5], after: [81]}]}}]");
+  ASSERT_TRUE(run.wait().has_value());
+
+  EXPECT_EQ(first.code, 0) << first.text;
+  EXPECT_EQ(again.code, 0) << again.text;
+  std::vector<std::string> said;
+  for (const journal::Record& record : all_of(run, "global-mission"))
+    said.push_back(std::to_string(static_cast<int>(record.number("mission"))) + " " +
+                   std::string(record.text("state")) + " " + std::string(record.text("why")));
+  EXPECT_THAT(said, ::testing::IsSupersetOf(
+                        {"7 given ", "7 given for the second time: nothing changes", "7 done ",
+                         "8 refused tasks 81, 82, 81: each is to end before the next begins"}));
+  EXPECT_EQ(times_done(run)[71], 1);
+  const auto begun = all_of(run, "team-task");
+  EXPECT_EQ(std::count_if(begun.begin(), begun.end(),
+                          [](const journal::Record& record) {
+                            return record.number("task") == 71 && record.text("state") == "begun";
+                          }),
+            1);
 }
 
 /// team/two with trouble after its expectations, which are not asked for; `lost` is declared lost
