@@ -50,10 +50,18 @@ const Uav& whose_device(const History& history, const Uav& uav, const std::strin
   return uav;
 }
 
+bool names_a_goal_twice(const Uav& uav, const std::string& why) {
+  return std::any_of(uav.goals.begin(), uav.goals.end(), [&](const auto& one) {
+    const std::string name = " (" + mission::to_text(one.second.task) + ")";
+    return why.find(name + name) != std::string::npos;
+  });
+}
+
 // Why a reason cannot be true; nothing when truth does not contradict it.
 std::optional<std::string> contradiction(const History& history, const Uav& uav,
                                          const std::string& why, double at) {
   if (why.empty()) return "it gives no reason";
+  if (names_a_goal_twice(uav, why)) return "it names a goal twice over";
   // A plan of one UAV that contradicts itself is the planner's, not the mission's.
   if (says(why, "must start while")) return "tasks of its own plan contradict each other";
   if (says(why, "half a cell")) return "nobody can set that cell";

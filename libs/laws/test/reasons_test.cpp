@@ -23,6 +23,8 @@ TEST(Reasons, AReasonIsThereAndTrue) {
 
   EXPECT_THAT(fails(""), ElementsAre(HasSubstr("gives no reason")));
   EXPECT_THAT(fails("task 104 must start while 103 runs, but waits for 102"), SizeIs(1));
+  EXPECT_THAT(fails("the way of goal 701 (perceive P1 60) (perceive P1 60) is too long"),
+              ElementsAre(HasSubstr("names a goal twice over")));
   EXPECT_THAT(fails("it begins in closed air, and no free air is near"),
               ElementsAre(HasSubstr("no air is closed")));
   EXPECT_THAT(fails("needs 140 % of the energy, and 90 % is left above the reserve"), IsEmpty());

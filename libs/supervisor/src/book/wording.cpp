@@ -29,7 +29,9 @@ std::string with_names(const std::string& text, const std::string& word,
     const bool whole = found == 0 || !is_letter(text[found - 1]);
     const bool is_number = read.ec == std::errc() && (read.ptr == end || !is_letter(*read.ptr));
     const std::string named = whole && is_number ? name(number) : "";
-    const std::size_t after = static_cast<std::size_t>(read.ptr - text.data());
+    const bool has_it = text.compare(found, named.size(), named) == 0;
+    const std::size_t after =
+        has_it ? found + named.size() : static_cast<std::size_t>(read.ptr - text.data());
     const std::size_t next = named.empty() ? digits : after;
     result += text.substr(at, found - at);
     result += named.empty() ? text.substr(found, next - found) : named;

@@ -12,8 +12,8 @@ namespace skein::supervisor {
 /// "the takeshot of goal 702".
 std::string in_words(const mission::ElementaryTask& task);
 
-/// The text with each "WORD NUMBER" replaced by `name(NUMBER)`, unless that is empty. Cost: linear
-/// in the text, plus the calls.
+/// The text with each "WORD NUMBER" replaced by `name(NUMBER)`, unless that is empty or stands
+/// there already. Cost: linear in the text, plus the calls.
 std::string with_names(const std::string& text, const std::string& word,
                        const std::function<std::string(std::uint64_t)>& name);
 

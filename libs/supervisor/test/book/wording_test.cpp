@@ -29,6 +29,17 @@ TEST(WithNames, ReplacesAtBothEndsOfTheText) {
   EXPECT_EQ(named("waits for task 104"), "waits for the takeshot of goal 702");
 }
 
+TEST(WithNames, LeavesWhatHasItsNameAlready) {
+  const auto twice = [](const std::string& text) {
+    return with_names(text, "goal", [](std::uint64_t number) {
+      return "goal " + std::to_string(number) + " (perceive P1 60)";
+    });
+  };
+
+  EXPECT_EQ(twice("goal 41 waits"), "goal 41 (perceive P1 60) waits");
+  EXPECT_EQ(twice(twice("goal 41 waits for goal 42")), twice("goal 41 waits for goal 42"));
+}
+
 TEST(InWords, ATaskIsKnownByItsTypeAndItsGoal) {
   mission::ElementaryTask task;
   task.type = "perceive";
