@@ -61,7 +61,8 @@ INSTANTIATE_TEST_SUITE_P(AreaSharing, Teamwork,
                                            "area-sharing/proportional", "area-sharing/alone"),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Degree5, Teamwork,
-                         ::testing::Values("team/two", "team/five", "team/comets", "team/mixed"),
+                         ::testing::Values("team/two", "team/five", "team/comets", "team/mixed",
+                                           "team/out-of-reach"),
                          name_of);
 
 // Nobody has the energy for its mission, so nobody goes.

@@ -47,6 +47,18 @@ bool somebody_bids(const History& history) {
   });
 }
 
+// Since when who has it has left it, by its contact-loss policy, and nobody told it to go on.
+std::optional<double> left_off(const History& history, const TeamStanding& standing) {
+  const auto uav = history.uavs.find(standing.owners);
+  const bool has_it = standing.stage == "owned" || standing.stage == "granted";
+  if (!has_it || uav == history.uavs.end() || !out_of_contact(uav->second)) return std::nullopt;
+  if (uav->second.degree(history.end) < 5) return std::nullopt;  // the operator decides
+  double since = standing.at;
+  for (const Word& word : uav->second.words)
+    if (word.text.rfind("contact: ", 0) == 0) since = std::max(since, word.at);
+  return since;
+}
+
 bool says_to_whom_for_what(const std::string& why) {
   return why.find(" to ") != std::string::npos && why.find(" for ") != std::string::npos;
 }
@@ -86,7 +98,8 @@ std::vector<Violation> team_tasks_begun_twice(const History& history) {
   return result;
 }
 
-// Once the network has healed every task finds an owner, or is said to be for nobody.
+// Once the network has healed every task finds an owner who goes on with it, or is said to be for
+// nobody.
 std::vector<Violation> team_tasks_without_owner(const History& history) {
   std::vector<Violation> result;
   const double whole = healed(history);
@@ -95,6 +108,12 @@ std::vector<Violation> team_tasks_without_owner(const History& history) {
     if (task.standings.empty()) continue;
     const TeamStanding& last = task.standings.back();
     const double since = std::max(last.at, whole);
+    const auto left = left_off(history, last);
+    const double left_since = std::min(std::max(left.value_or(kNever), whole), history.end);
+    if (history.joint.up_for(last.owners, "ground", left_since, history.end) > kSold)
+      result.push_back({"", history.end, last.owners, 0,
+                        named(number) + " is kept by one that left it at " + figure(*left) +
+                            " s by its contact-loss policy"});
     if (last.stage != "for-sale" || history.end - since < kSold) continue;
     result.push_back({"", history.end, "", 0,
                       named(number) + " has no owner for " + figure(history.end - since) +

@@ -105,5 +105,23 @@ TEST(TeamExplained, NobodyBeginsWhatItDoesNotOwn) {
   EXPECT_THAT(story.broken("team-explained"), ElementsAre(HasSubstr("never said to own it")));
 }
 
+TEST(TeamOwned, WhoLeftATaskByItsContactLossPolicyDoesNotKeepItOnceHeardAgain) {
+  const auto kept = [](double degree_again) {
+    Story story = sold();
+    story.degree("marvin", 0, 5).degree("heliv", 0, 5).stands("heliv", 0, 300);
+    story.link(0, "marvin", "ground", true).link(30, "marvin", "ground", false);
+    story.contact("marvin", 60, "return").link(100, "marvin", "ground", true);
+    if (degree_again > 0) story.degree("marvin", degree_again, 5);
+    return story;
+  };
+
+  EXPECT_THAT(kept(0).broken("team-owned"),
+              ElementsAre(HasSubstr("task 11 is kept by one that left it at 60.0 s")));
+  EXPECT_THAT(kept(110).broken("team-owned"), IsEmpty());
+  Story put_back = kept(0);
+  put_back.owner(120, 11, "owned", 2, "heliv", "sold to heliv for 12 s");
+  EXPECT_THAT(put_back.broken("team-owned"), IsEmpty());
+}
+
 }  // namespace
 }  // namespace skein::laws::testing

@@ -14,7 +14,9 @@ constexpr double kLatest = 250;  ///< of troubles [s]
 class TeamDrawing {
  public:
   TeamDrawing(std::uint64_t seed, const Kinds& kinds)
-      : random_(seed, "random team mission"), kinds_(kinds) {
+      : random_(seed, "random team mission"),
+        policies_(seed, "contact-loss policies of a team"),
+        kinds_(kinds) {
     mission_.seed = seed;
   }
 
@@ -46,8 +48,16 @@ class TeamDrawing {
       one.more = "start: " + point(60.0 * static_cast<double>(i), -60 * random_.uniform(0, 2));
       one.altitude = 35 + 20.0 * static_cast<double>(i);
       one.first_id = 100 * static_cast<int>(i + 1);
+      draw_policy(one);
       mission_.team.push_back(std::move(one));
     }
+  }
+
+  // From a sequence of its own, so that missions of old seeds stay what they were but for it.
+  void draw_policy(Member& one) {
+    if (!kinds_.radio || !policies_.chance(0.25)) return;
+    one.more += std::string(", contact_loss: {policy: ") +
+                (policies_.chance(0.5) ? "hold" : "return") + ", after: 15}";
   }
 
   void draw_task() {
@@ -93,6 +103,7 @@ class TeamDrawing {
   }
 
   Random random_;
+  Random policies_;
   Kinds kinds_;
   Mission mission_;
 };

@@ -19,7 +19,8 @@ using auction::Stage;
 constexpr std::uint64_t kFirstMission = 1'000'000'000;
 /// A task that comes back to the UAV is another goal.
 constexpr std::uint64_t kNextAttempt = 10'000'000'000;
-/// In the air without anything to do before it goes home.
+/// In the air without anything to do before it goes home; with a task that nobody resumes before it
+/// puts that back.
 constexpr Duration kRest = Duration::milliseconds(10'000);
 
 std::string why_aside(int degree) {
@@ -68,7 +69,8 @@ void Team::time_passes() {
 std::optional<MissionTime> Team::next_wakeup() const {
   if (!member_) return std::nullopt;
   const auto home = idle_since_ ? std::optional(*idle_since_ + kRest) : std::nullopt;
-  return earliest(member_->next_wakeup(), home);
+  const auto left = left_since_ ? std::optional(*left_since_ + kRest) : std::nullopt;
+  return earliest(member_->next_wakeup(), earliest(home, left));
 }
 
 void Team::mission_answered(mission::MissionId mission, bool accepted, const std::string& why) {
@@ -77,6 +79,7 @@ void Team::mission_answered(mission::MissionId mission, bool accepted, const std
 
 void Team::goal_changed(const mission::GoalStatus& status) {
   if (!job_ || job_->goal != status.id) return;
+  job_->handed_over = status.state == mission::GoalState::kHandedOver;
   switch (status.state) {
     case mission::GoalState::kUnderWay:
       job_->begun = true;
@@ -90,6 +93,8 @@ void Team::goal_changed(const mission::GoalStatus& status) {
     case mission::GoalState::kFailed:
       return put_back(status.why, true);
     case mission::GoalState::kCancelled:
+      if (job_->withdrawn && left_since_)
+        return put_back(bids_ ? "it was not to resume it" : why_aside(core_.degree()), false);
       return put_back(status.why.empty() ? "cancelled" : status.why, !job_->withdrawn);
     case mission::GoalState::kHandedOver:
       if (job_->begun) note("kept", "begun: the operator decides");
@@ -110,6 +115,7 @@ void Team::settle() {
     if (!bids) withdraw();
   }
   if (!bids_) put_back_what_waits();
+  look_at_what_was_handed_over();
   if (!is_idle()) {
     idle_since_.reset();
   } else if (!idle_since_) {
@@ -122,6 +128,17 @@ void Team::settle() {
 // What has begun ends, or stays in the hands of the operator.
 void Team::withdraw() {
   if (!job_ || job_->begun) return;
+  job_->withdrawn = true;
+  core_.deliberation().cancel_for_team(job_->goal, core_.config().uav + " itself");
+}
+
+// Its degree stayed, or is 5 again, and it does not go on with it: it has carried out its
+// contact-loss policy, or was not to resume. Below degree 5 the operator decides.
+void Team::look_at_what_was_handed_over() {
+  const bool left = job_ && job_->handed_over && mission::allocates(core_.degree());
+  if (!left) return left_since_.reset();
+  if (!left_since_) left_since_ = core_.bus().now();
+  if (core_.bus().now() < *left_since_ + kRest || job_->withdrawn) return;
   job_->withdrawn = true;
   core_.deliberation().cancel_for_team(job_->goal, core_.config().uav + " itself");
 }

@@ -51,8 +51,9 @@ class Team final : public Component {
     mission::GoalId goal;
     mission::MissionId mission;
     std::string statement;
-    bool begun = false;      ///< a part of it was carried out
-    bool withdrawn = false;  ///< withdrawn from this UAV, not failed
+    bool begun = false;        ///< a part of it was carried out
+    bool withdrawn = false;    ///< withdrawn from this UAV, not failed
+    bool handed_over = false;  ///< its goal is with the operator
   };
 
   void give(auction::TeamInput input);
@@ -68,6 +69,7 @@ class Team final : public Component {
   void put_back_what_waits();
   void note(const std::string& state, const std::string& why);
   void withdraw();
+  void look_at_what_was_handed_over();
   void go_home();
   bool is_idle() const;
   Vantage vantage();
@@ -86,6 +88,7 @@ class Team final : public Component {
   std::map<auction::TaskNumber, std::optional<refiners::Gate>> visits_;
   std::shared_ptr<const world::World> visited_;  ///< the world for which `visits_` were computed
   std::optional<MissionTime> idle_since_;
+  std::optional<MissionTime> left_since_;  ///< nobody decides on what was handed over, since then
   std::uint64_t missions_ = 0;
 };
 
