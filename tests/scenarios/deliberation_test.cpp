@@ -97,8 +97,9 @@ INSTANTIATE_TEST_SUITE_P(
         "contingencies/rung-absorb", "contingencies/rung-fail", "contingencies/progress-kept",
         "contingencies/mapping-goes-on", "contingencies/partner-gives-up",
         "contingencies/landing-given-up", "contingencies/takeoff-without-contact",
-        "contingencies/joint-task-called-off", "handover/held-tasks", "handover/synchronised",
-        "handover/cancelled-at-ground", "deadlines/orders-after-a-goal"),
+        "contingencies/joint-task-called-off", "contingencies/joint-task-never-loaded",
+        "handover/held-tasks", "handover/synchronised", "handover/cancelled-at-ground",
+        "deadlines/orders-after-a-goal"),
     name_of);
 
 // What each decision of that operator came to.

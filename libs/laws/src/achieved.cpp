@@ -17,7 +17,7 @@ constexpr double kNearby = 3;       ///< [m] a device aimed so near a place is a
 constexpr double kAlarmMoves = 20;  ///< [m] where an alarm is becomes clearer while it is looked at
 constexpr double kHeard = 12;       ///< [s] in which a plan follows an object that moves
 constexpr double kSightAbove = 1;   ///< [m] over the ground: what lies there is seen
-constexpr double kApart = 100;      ///< [m] partners may be as far from their place in the air
+constexpr double kApart = 100;      ///< [m] as far from their place in the air partners that hover
 constexpr double kMoment = 3;       ///< [s] between what is done and its report
 
 /// What a perception was to look at, for how long.
@@ -122,6 +122,20 @@ double seconds_looked(const History& history, const Uav& uav, const Goal& goal,
   return seconds;
 }
 
+// How far from their place in the air partners may be: beside the circles of one that cannot
+// hover.
+double apart_from(const History& history, const mission::HighLevelTask& meeting) {
+  double circle = 0;
+  for (const std::size_t list : {1U, 2U}) {
+    for (const std::string& name : names_of(meeting.arguments[list])) {
+      const auto partner = history.uavs.find(name);
+      if (partner != history.uavs.end() && circles(partner->second))
+        circle = std::max(circle, 2 * partner->second.spec->model.orbit_radius);
+    }
+  }
+  return kApart + circle;
+}
+
 // The look that a perception of this name comes down to; nothing for other tasks.
 std::optional<WantedLook> look_of(const History& history, const mission::HighLevelTask& task,
                                   double at) {
@@ -141,7 +155,7 @@ std::optional<WantedLook> look_of(const History& history, const mission::HighLev
   }
   if (task.name == "general-combined-goto-and-synchro-and-takeshot") {
     auto together = look(3, 4);
-    if (together) together->apart = kApart;
+    if (together) together->apart = apart_from(history, task);
     return together;
   }
   if (task.name == "takeshot-while-waiting" && !task.arguments.empty()) {

@@ -61,6 +61,7 @@ std::vector<Violation> team_sales_unexplained(const History& history);
 std::vector<Violation> motions_at_once(const History& history);
 std::vector<Violation> motions_under_tasks(const History& history);
 std::vector<Violation> motions_never_begun(const History& history);
+std::vector<Violation> statuses_unfit(const History& history);
 // promises.cpp
 std::vector<Violation> times_not_kept(const History& history);
 std::vector<Violation> goals_without_end(const History& history);

@@ -51,6 +51,7 @@ const std::vector<Law>& all_laws() {
       {"one-motion", "one motion at a time, one use of a device", motions_at_once},
       {"held", "no motion begins under a task of another goal", motions_under_tasks},
       {"begins", "a motion that is given to the vehicle begins", motions_never_begun},
+      {"fits", "what is told of a task can be so", statuses_unfit},
       {"mutual", "UAVs that wait for each other for their air do so for 2 s at the most",
        waits_for_each_other},
       {"times", "times of goals achieved are kept, or it is said", times_not_kept},

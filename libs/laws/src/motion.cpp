@@ -161,6 +161,34 @@ std::vector<Violation> motions_never_begun(const History& history) {
   return result;
 }
 
+namespace {
+
+// The vehicle refuses a task while it is told to stop it, and says so of both.
+bool refused_and_stopped(const Uav& uav, const Word& word) {
+  return std::any_of(uav.activities.begin(), uav.activities.end(), [&](const Activity& one) {
+    const std::string both =
+        "status 'aborted' of task " + std::to_string(one.task) + ", which is aborted";
+    return one.end == "aborted" && one.until <= one.from && word.text.rfind(both, 0) == 0;
+  });
+}
+
+}  // namespace
+
+// Who comes back from the dead asks the vehicle again, and hears what it knew.
+std::vector<Violation> statuses_unfit(const History& history) {
+  std::vector<Violation> result;
+  if (!history.dead.empty()) return result;
+  for (const auto& [name, uav] : history.uavs) {
+    for (const Word& word : uav.words) {
+      const bool of_a_task = word.text.rfind("status '", 0) == 0;
+      if (of_a_task && word.text.find(", does not fit") != std::string::npos &&
+          !refused_and_stopped(uav, word))
+        result.push_back({"", word.at, name, 0, word.text});
+    }
+  }
+  return result;
+}
+
 std::vector<Violation> motions_under_tasks(const History& history) {
   constexpr double kMoment = 2;  // [s] in which what is given up may stop
   std::vector<Violation> result;

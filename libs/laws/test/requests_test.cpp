@@ -96,5 +96,14 @@ TEST(Asked, APlanIsMadeAnewADozenTimesAMinute) {
   EXPECT_THAT(times(13, "shift"), IsEmpty());
 }
 
+TEST(Fits, AWordOnATaskThatCannotBeSoBreaksIt) {
+  Story story;
+  story.says("marvin", 20, "status 'running' of task 302, which is running, does not fit")
+      .says("marvin", 30, "in the air with nothing to do");
+
+  EXPECT_THAT(story.broken("fits"),
+              ElementsAre(HasSubstr("20.0 s, marvin: fits: status 'running' of task 302")));
+}
+
 }  // namespace
 }  // namespace skein::laws::testing

@@ -11,6 +11,8 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using world::Vector3;
 
 TEST(ForetoldLaw, WhoComesBeforeHeWasForetoldBreaksIt) {
   Story story;
@@ -163,6 +165,27 @@ TEST(PartedLaw, WhoAreSoonPartedKeepIt) {
 TEST(PartedLaw, WhoWaitsForOneWhoIsNotToComeIsInNoCircle) {
   EXPECT_THAT(crossed(20, 200).goal("heliv", 71, kSecond, "failed", 30, "tired").broken("parted"),
               IsEmpty());
+}
+
+TEST(Perceived, PartnersLookFromBesideTheCirclesOfWhoCannotHover) {
+  const auto beside_by = [](const std::string& partner, double metres) {
+    Story story;
+    const Vector3 at(150 + metres, 60, 50);
+    story.flies("marvin", 0, 200, at, at);
+    story.goal("marvin", 701,
+               "general-combined-goto-and-synchro-and-takeshot 7 (marvin) (" + partner + ") A1 20",
+               "received", 5);
+    story.does("marvin", {101, "takeshot", 701, 30, 50, "ended", "visible"});
+    story.goal("marvin", 701,
+               "general-combined-goto-and-synchro-and-takeshot 7 (marvin) (" + partner + ") A1 20",
+               "achieved", 50);
+    return story.broken("perceived");
+  };
+
+  EXPECT_THAT(beside_by("heliv", 80), IsEmpty());
+  EXPECT_THAT(beside_by("heliv", 160), SizeIs(1));
+  EXPECT_THAT(beside_by("karma", 160), IsEmpty());
+  EXPECT_THAT(beside_by("karma", 240), SizeIs(1));
 }
 
 }  // namespace

@@ -98,9 +98,8 @@ const Interaction::Refusal* Interaction::refusal_of(const std::string& subject,
 void Interaction::due(executive::TaskId task, bool interrupt) {
   const auto found = tasks_.find(task);
   if (found == tasks_.end()) return;
-  host_.bus().post([&joint = *found->second, interrupt] {
-    interrupt ? joint.leave("interrupted") : joint.due();
-  });
+  host_.bus().post(
+      [&joint = *found->second, interrupt] { interrupt ? joint.interrupted() : joint.due(); });
 }
 
 void Interaction::leave(executive::TaskId task, const std::string& why) {

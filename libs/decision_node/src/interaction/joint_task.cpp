@@ -439,6 +439,11 @@ std::optional<MissionTime> JointTask::next_wakeup() const {
 
 // ---- the end ----
 
+void JointTask::interrupted() {
+  if (!answered_) dispatched_ = false;
+  leave("interrupted");
+}
+
 void JointTask::leave(const std::string& why) {
   if (over() || my_.phase == JointPhase::kLeaving) return;
   my_.why = why;

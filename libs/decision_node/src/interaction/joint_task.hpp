@@ -60,6 +60,8 @@ class JointTask {
   void ask_again(executive::TaskId task, std::vector<mission::Interval> preferences);
   /// The executive starts it.
   void due();
+  /// The executive interrupts it. Of one that was never loaded the supervisor tells the executive.
+  void interrupted();
   /// Ends it on this UAV; partners are told.
   void leave(const std::string& why);
   /// The same, without waiting for tasks that are being aborted.

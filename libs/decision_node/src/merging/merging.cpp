@@ -229,7 +229,10 @@ void Merging::begin(const Airway& airway, const std::string& state) {
 
 bool Merging::told(const functional::Status& status) {
   if (!merger_) return false;
-  if (runs_already_ == status.id && status.state == functional::TaskState::kRunning) return true;
+  if (runs_already_ == status.id && status.state == functional::TaskState::kRunning) {
+    runs_already_.reset();  // an executive that takes it over is told
+    return true;
+  }
   const bool of_portion = portions_ && portions_->flown == status.id;
   if (of_portion && portions_->begins_to_run(status))
     core_.post_status({portions_->task(), functional::TaskState::kRunning, ""});

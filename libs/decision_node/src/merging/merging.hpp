@@ -92,7 +92,7 @@ class Merging final : public Component {
       place_;  ///< where it got out of the way from, and did not come back
   std::optional<MissionTime> room_since_;  ///< another one wants to go where it stays, since then
   supervisor::AirOrders orders_;           ///< as the supervisor was told
-  std::optional<functional::TaskId> runs_already_;        ///< a sweep on its last portion
+  std::optional<functional::TaskId> runs_already_;        ///< a sweep that begins its last portion
   functional::TaskId aside_ = functional::kFirstAsideId;  ///< of the next flight out of the way
 };
 
