@@ -41,6 +41,22 @@ TEST(ClosedAir, WhoIsCaughtInsideLeavesWithoutDelay) {
   EXPECT_THAT(leaves_after(100), ElementsAre(HasSubstr("stays")));
 }
 
+TEST(ClosedAir, AirThatIsOpenedAndClosedAgainWasOpenInBetween) {
+  const std::string opens =
+      "    - {step: open, when: {time: 60}, do: [{open_air: {name: smoke}}]}\n";
+  const std::string again =
+      "    - {step: again, when: {time: 200}, do: [{close_air: {name: smoke, polygon: [[100, 0], "
+      "[200, 0], [200, 100], [100, 100]]}}]}\n"
+      "    - {step: reopen, when: {time: 250}, do: [{open_air: {name: smoke}}]}\n";
+  Story story("", kClosing + opens + again);
+  story.flies("marvin", 0, 70, {150, 150, 40}, {150, 150, 40});
+  story.flies("marvin", 71, 120, {150, 150, 40}, {150, 50, 40});
+  story.step(50, "close", "marvin").step(60, "open", "marvin");
+  story.step(200, "again", "marvin").step(250, "reopen", "marvin");
+
+  EXPECT_THAT(story.broken("closed-air"), IsEmpty());
+}
+
 // An operator has it in hand, who has to know.
 TEST(ClosedAir, BelowDegreeFourItIsEnoughThatTheUavSaysSo) {
   const auto told = [](std::optional<double> when) {

@@ -174,7 +174,7 @@ class WorldTeller {
     each_of(open.uavs, [&](Uav& uav) {
       told_[uav.name()].push_back(std::nullopt);
       for (Closing& one : uav.closings)
-        if (one.volume.name == open.name) one.opened = seconds(when);
+        if (one.volume.name == open.name) one.opened = std::min(one.opened, seconds(when));
     });
   }
 
