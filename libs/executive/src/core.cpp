@@ -128,7 +128,6 @@ bool Executive::Core::step() {
 // started, running   ended              ended
 // started, running   aborted            aborted
 // aborting           ended or aborted   aborted
-// aborting           running            aborting: it was said before the vehicle knew of the abort
 // anything else: a notice
 void Executive::Core::on(const FunctionalStatus& status) {
   const std::string what = "status '" + std::string(to_text(status.state)) + "' of ";
@@ -138,7 +137,6 @@ void Executive::Core::on(const FunctionalStatus& status) {
   const TaskState from = record.state;
   if (status.state == TaskState::kStarted && from == TaskState::kStarted && !record.synchronisation)
     return expect_answer(record);
-  if (status.state == TaskState::kRunning && from == TaskState::kAborting) return;
   const bool fits = !record.synchronisation && is_active(from) &&
                     (is_terminal(status.state) ||
                      (status.state == TaskState::kRunning && from == TaskState::kStarted));

@@ -125,13 +125,13 @@ TEST(Executive, OnlyNoticesStatusesThatDoNotFit) {
   EXPECT_EQ(mission.state_of(3), kEnded);
 }
 
-TEST(Executive, LeavesATaskAbortingThatIsSaidToRunAndSaysNothingOfIt) {
+TEST(Executive, OnlyNoticesRunningOfATaskThatIsAborting) {
   Mission mission;
   mission.start(TaskOf(1, "goto"));
   mission.abort(1);
 
   EXPECT_THAT(mission.runs(1), IsEmpty());
-  EXPECT_THAT(mission.notices, IsEmpty());
+  EXPECT_THAT(mission.notices, ElementsAre(HasSubstr("aborting")));
   EXPECT_EQ(mission.state_of(1), kAborting);
 }
 

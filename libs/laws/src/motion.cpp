@@ -172,6 +172,12 @@ bool refused_and_stopped(const Uav& uav, const Word& word) {
   });
 }
 
+// Said before the vehicle knew of the abort; the executive has to note it (spec 2.1).
+bool crossed_the_abort(const Word& word) {
+  return word.text.rfind("status 'running' of task ", 0) == 0 &&
+         word.text.find(", which is aborting,") != std::string::npos;
+}
+
 }  // namespace
 
 // Who comes back from the dead asks the vehicle again, and hears what it knew.
@@ -182,7 +188,7 @@ std::vector<Violation> statuses_unfit(const History& history) {
     for (const Word& word : uav.words) {
       const bool of_a_task = word.text.rfind("status '", 0) == 0;
       if (of_a_task && word.text.find(", does not fit") != std::string::npos &&
-          !refused_and_stopped(uav, word))
+          !refused_and_stopped(uav, word) && !crossed_the_abort(word))
         result.push_back({"", word.at, name, 0, word.text});
     }
   }
