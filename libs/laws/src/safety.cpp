@@ -117,8 +117,7 @@ namespace {
 // Once in a flight and for each volume is enough.
 bool was_told_of(const Uav& uav, const world::Volume& volume, double by) {
   return std::any_of(uav.words.begin(), uav.words.end(), [&](const Word& one) {
-    return one.at <= by && one.text.find("in air that is closed") != std::string::npos &&
-           one.text.find("'" + volume.name + "'") != std::string::npos;
+    return one.at <= by && one.text.find("(volume '" + volume.name + "')") != std::string::npos;
   });
 }
 

@@ -260,6 +260,23 @@ std::optional<Airway> way_around(const functional::Request& request, const mergi
   return clear ? std::optional(way) : std::nullopt;
 }
 
+functional::Request led_around(const functional::Request& request, const MergingConfig& config,
+                               const AirwaySituation& situation, const world::World& world) {
+  const auto flown = flight_of(request, config, situation);
+  if (!flown || flown->waypoints.empty()) return request;
+  const Margins margins = merging::margins_of(config.model, config.wind, flown->speed);
+  const Vector3 from = start_of(situation, margins);
+  const Vector3& first = flown->waypoints.front();
+  if (is_clear({from, first}, config.model.body_radius, situation)) return request;
+  refiners::Setting setting{world, {}};
+  setting.budget.steps = kStepsAround;
+  const auto path = refine(path_query(config.model, from, first, situation.now), setting);
+  if (!path || path->task.way.size() < 2) return request;
+  std::vector<Vector3> points = path->task.way;
+  points.insert(points.end(), flown->waypoints.begin() + 1, flown->waypoints.end());
+  return along(request, Way(points, margins));
+}
+
 Airways ways_aside(functional::TaskId id, const merging::Volumes& others,
                    const MergingConfig& config, const AirwaySituation& situation,
                    const std::vector<double>& heights) {

@@ -74,6 +74,12 @@ std::optional<Airway> way_around(const functional::Request& request, const mergi
                                  const MergingConfig& config, const AirwaySituation& situation,
                                  const world::World& world);
 
+/// The flight, for a vehicle that is elsewhere than where it was planned from: where the leg to its
+/// first way-point would lead through closed air, by way-points around that. As it was: the leg is
+/// free, it is no flight, or no way around is known. Cost: that of refiners::refine(PathQuery).
+functional::Request led_around(const functional::Request& request, const MergingConfig& config,
+                               const AirwaySituation& situation, const world::World& world);
+
 /// Short flights from where it rests to places that are free of `others`, the nearest first: up,
 /// then beside, at each of these heights above it [m]. Not the way there: where it is now is what
 /// others want. Precondition: it rests in the air.

@@ -177,8 +177,12 @@ void Merging::ask() {
     return core_.vehicle().begin(std::move(request));
   }
   cut();
-  auto airways = airways_of(waiting_->request, may_be_raised(waiting_->asked_long),
-                            *core_.config().merging, situation());
+  functional::Request flight = waiting_->request;
+  if (place_ && !portions_ && core_.deliberation().possible())
+    flight =
+        led_around(flight, *core_.config().merging, situation(), *core_.deliberation().world());
+  auto airways =
+      airways_of(flight, may_be_raised(waiting_->asked_long), *core_.config().merging, situation());
   if (!airways) {  // perhaps the vehicle is not what it was thought to be: it is looked at again
     waiting_->cannot(airways.error().why);
     return give(merging::Withdraw{});

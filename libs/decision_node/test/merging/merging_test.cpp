@@ -284,19 +284,6 @@ TEST(Merging, WhoWaitsForWantOfAnythingElseMakesRoom) {
   EXPECT_THAT(states(team.notes("marvin")), ElementsAre("aside"));
 }
 
-// Found by random missions (--mixed 300008): it stood 14 m beside smoke, found every way aside too
-// near to it, and stayed for good.
-TEST(Merging, WhoStandsNearClosedAirMakesRoomAwayFromIt) {
-  world::Volume smoke{"smoke", {{3, -20}, {60, -20}, {60, 20}, {3, 20}}, 0, 100, {}};
-  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {-100, 0, 40}}}, 4, ContactPolicy::kContinue,
-                  {smoke});
-  give_sweep(team, "heliv", goto_of(7, {0, 0, 40}));
-  team.run(60);
-  EXPECT_TRUE(team.is_over("heliv", 7));
-  EXPECT_THAT(states(team.notes("marvin")), ElementsAre("aside"));
-  EXPECT_LE(team.state("marvin").position.x(), 0);
-}
-
 TEST(Merging, WhereItsOperatorPutItAUavStays) {
   MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}}, 3);
   give_sweep(team, "heliv", goto_of(7, {0, 0, 40}));

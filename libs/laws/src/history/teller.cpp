@@ -114,6 +114,7 @@ class UavTeller {
   void hear(const lines::Notice& line, const Written& when) { say(when, line.text); }
   void hear(const lines::Contact& line, const Written& when) {
     say(when, "contact: " + line.policy);
+    if (!line.why.empty()) say(when, line.why);
   }
   void hear(const lines::Decision& line, const Written& when) {
     say(when, line.operator_ + ": " + line.cause + ": " + line.inputs + ": " + line.outcome);

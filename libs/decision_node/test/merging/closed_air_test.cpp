@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who makes room, and where it goes on from there, beside closed air.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "skein/world/crossing.hpp"
+#include "testing/merged_team.hpp"
+
+namespace skein::decision_node {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::Field;
+using testing::give_sweep;
+using testing::goto_of;
+using testing::MergedTeam;
+
+// Found by random missions (--mixed 300008): it stood 14 m beside smoke, found every way aside too
+// near to it, and stayed for good.
+TEST(MergingBesideClosedAir, WhoStandsNearClosedAirMakesRoomAwayFromIt) {
+  world::Volume smoke{"smoke", {{3, -20}, {60, -20}, {60, 20}, {3, 20}}, 0, 100, {}};
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {-100, 0, 40}}}, 4, ContactPolicy::kContinue,
+                  {smoke});
+  give_sweep(team, "heliv", goto_of(7, {0, 0, 40}));
+  team.run(60);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+  EXPECT_THAT(team.notes("marvin"), ElementsAre(Field(&AirNoted::state, "aside")));
+  EXPECT_LE(team.state("marvin").position.x(), 0);
+}
+
+// Found by random missions (--mixed 400069): its way was planned from where it stood before.
+TEST(MergingBesideClosedAir, WhoGotOutOfTheWayGoesAroundClosedAirToWhereItsNextWayBegins) {
+  world::Volume lid{"lid", {{20, -40}, {80, -40}, {80, 40}, {20, 40}}, 46, 200, {}};
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {-100, 0, 40}}}, 4, ContactPolicy::kContinue,
+                  {lid});
+  give_sweep(team, "heliv", goto_of(7, {0, 0, 40}));
+  team.run(60);
+  ASSERT_GT(team.state("marvin").position.z(), 46) << "it got out of the way upwards";
+
+  give_sweep(team, "marvin", goto_of(9, {100, 0, 40}));
+  for (int i = 0; i < 120; ++i) {
+    team.run(0.5);
+    const world::Vector3& at = team.state("marvin").position;
+    EXPECT_FALSE(world::crosses(lid, 0, at, at)) << at.transpose();
+  }
+  EXPECT_TRUE(team.is_over("marvin", 9));
+}
+
+}  // namespace
+}  // namespace skein::decision_node
