@@ -335,7 +335,10 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample&& sample, Now now
     refuse(slot, header, *violation);
     return refuse_event(channel, slot, header, now);
   }
-  if (is_back(slot, header, config_.self) || is_of_second(channel, header, now)) return;
+  if (is_back(slot, header, config_.self)) return;
+  Peer* origin = speaker(channel, header);
+  if (origin != nullptr && origin->refuses(header.incarnation, now.steady))
+    return refuse(wire::Slot::kHeartbeat, header, kOfSecond);
   if (header.destination != 0 && header.destination != config_.self.value()) {
     if (!forwarding_) return;
     if (auto next = forwarding_->pass_on(config, std::move(sample)))
@@ -349,7 +352,7 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample&& sample, Now now
           Received{NodeNumber(header.origin), ChannelKind::kWorld, std::move(sample)});
     return;
   }
-  admit_from_peer(channel, *speaker(channel, header), std::move(sample), now);
+  admit_from_peer(channel, *origin, std::move(sample), now);
 }
 
 void Blackboard::Impl::admit_from_peer(std::size_t channel, Peer& peer, wire::Sample&& sample,
@@ -358,8 +361,9 @@ void Blackboard::Impl::admit_from_peer(std::size_t channel, Peer& peer, wire::Sa
   const wire::SampleHeader header = wire::header_of(sample);
   if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample))
     return admit_heartbeat(channel, peer, *heartbeat, now);
-  if (header.incarnation < peer.incarnation() && !peer.is_former(header.incarnation))
-    return note_older_life(channel, peer, slot, header);
+  if (header.incarnation < peer.incarnation() && !peer.lives().is_former(header.incarnation))
+    return peer.has_older_rival() ? refuse(wire::Slot::kHeartbeat, header, kOfOlderSecond)
+                                  : note_replay(channel, slot, header);
   if (header.incarnation < peer.incarnation() && !is_event(slot)) return;
   const Novelty novelty = is_event(slot) ? peer.on_event(header, std::move(sample), now, out_)
                                          : freshness_.admit(slot, header);
@@ -379,17 +383,19 @@ void Blackboard::Impl::admit_heartbeat(std::size_t channel, Peer& peer,
                                        const wire::Heartbeat& heartbeat, Now now) {
   const ChannelConfig& over = config_.channels[channel];
   compare_lives(peer, heartbeat, now);
-  const Novelty novelty = peer.note(heartbeat);
+  const Novelty novelty = peer.lives().note(heartbeat);
   if (novelty == Novelty::kReplayed)
     return note_replay(channel, wire::Slot::kHeartbeat, heartbeat.header);
   if (novelty == Novelty::kKnown) return;
   if (forwarding_ && heartbeat.header.via.empty() && over.kind == ChannelKind::kRadio)
     forwarding_->on_heartbeat(over.from, now.steady);
   const std::uint64_t before = peer.incarnation();
-  const bool was_refused = peer.was_refused(heartbeat.header.incarnation);
+  const bool was_refused = peer.lives().was_refused(heartbeat.header.incarnation);
   peer.on_heartbeat(heartbeat, now, out_);
-  if (peer.incarnation() < before) return_to_first(peer, heartbeat.header, now);
-  if (was_refused) ask_for_last_values(peer, now);
+  const bool is_first_again = peer.incarnation() < before;
+  if (is_first_again) return_to_first(peer, heartbeat.header);
+  if ((is_first_again || was_refused) && peer.incoming_condition().up)
+    connections_.set_up_anew(peer.channels().incoming, now.steady, out_);
   hear(peer);
 }
 

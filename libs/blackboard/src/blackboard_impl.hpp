@@ -81,15 +81,8 @@ class Blackboard::Impl {
   void become(Peer& peer, std::uint64_t incarnation, Now now);
   /// The peer that says it is the origin; null: the origin is none.
   Peer* speaker(std::size_t channel, const wire::SampleHeader& header);
-  /// Whether a second process with the origin's number says this.
-  bool is_of_second(std::size_t channel, const wire::SampleHeader& header, Now now);
   /// Of two processes with its number the peer is the first again.
-  void return_to_first(Peer& peer, const wire::SampleHeader& header, Now now);
-  /// Connects the channel from the peer anew: its transport gives a new reader the last values.
-  void ask_for_last_values(const Peer& peer, Now now);
-  /// Refuses a sample of an older life of the peer.
-  void note_older_life(std::size_t channel, const Peer& peer, wire::Slot slot,
-                       const wire::SampleHeader& header);
+  void return_to_first(Peer& peer, const wire::SampleHeader& header);
   /// Refuses a sample that was replayed, unless it may have overtaken others on its way.
   void note_replay(std::size_t channel, wire::Slot slot, const wire::SampleHeader& header);
   std::uint64_t incarnation_for(NodeNumber to) const;

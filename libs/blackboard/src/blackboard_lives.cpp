@@ -7,15 +7,6 @@
 #include "blackboard_impl.hpp"
 
 namespace skein::blackboard {
-namespace {
-
-const wire::Violation kSecond{"header.incarnation",
-                              "is of a second node with this name, while the first is heard"};
-
-const wire::Violation kOlderSecond{"header.incarnation",
-                                   "is an older one: a second node has this name"};
-
-}  // namespace
 
 std::uint64_t Blackboard::Impl::incarnation_for(NodeNumber to) const {
   const auto found = config_.guesses_incarnation ? peers_.find(to) : peers_.end();
@@ -24,9 +15,9 @@ std::uint64_t Blackboard::Impl::incarnation_for(NodeNumber to) const {
 
 void Blackboard::Impl::compare_lives(Peer& peer, const wire::Heartbeat& heartbeat, Now now) {
   if (heartbeat.header.incarnation < peer.incarnation()) {
-    if (peer.is_former(heartbeat.header.incarnation)) return;
+    if (peer.lives().is_former(heartbeat.header.incarnation)) return;
     peer.on_old_heartbeat();
-    if (peer.has_older_rival()) refuse(wire::Slot::kHeartbeat, heartbeat.header, kOlderSecond);
+    if (peer.has_older_rival()) refuse(wire::Slot::kHeartbeat, heartbeat.header, kOfOlderSecond);
     return;
   }
   const std::uint64_t heard = heartbeat.ack_incarnation;
@@ -47,32 +38,10 @@ Peer* Blackboard::Impl::speaker(std::size_t channel, const wire::SampleHeader& h
   return found == peers_.end() ? nullptr : &found->second;
 }
 
-bool Blackboard::Impl::is_of_second(std::size_t channel, const wire::SampleHeader& header,
-                                    Now now) {
-  Peer* peer = speaker(channel, header);
-  if (peer == nullptr || !peer->refuses(header.incarnation, now.steady)) return false;
-  refuse(wire::Slot::kHeartbeat, header, kSecond);
-  return true;
-}
-
-void Blackboard::Impl::return_to_first(Peer& peer, const wire::SampleHeader& header, Now now) {
-  refuse(wire::Slot::kHeartbeat, header, kSecond);
+void Blackboard::Impl::return_to_first(Peer& peer, const wire::SampleHeader& header) {
+  refuse(wire::Slot::kHeartbeat, header, kOfSecond);
   freshness_.return_to(header.origin, peer.incarnation());
   if (forwarding_) forwarding_->forget(peer.channels().number);
-  ask_for_last_values(peer, now);
-}
-
-void Blackboard::Impl::ask_for_last_values(const Peer& peer, Now now) {
-  if (!peer.incoming_condition().up) return;
-  const std::size_t incoming = peer.channels().incoming;
-  connections_.set_up(incoming, false, now.steady, out_);
-  connections_.set_up(incoming, true, now.steady, out_);
-}
-
-void Blackboard::Impl::note_older_life(std::size_t channel, const Peer& peer, wire::Slot slot,
-                                       const wire::SampleHeader& header) {
-  if (peer.has_older_rival()) return refuse(wire::Slot::kHeartbeat, header, kOlderSecond);
-  note_replay(channel, slot, header);
 }
 
 // With relays a sample may be overtaken by others that go another way.

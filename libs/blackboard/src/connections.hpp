@@ -22,6 +22,11 @@ class Connections {
       : transport_(transport), channels_(channels), again_(again) {}
 
   void set_up(std::size_t channel, bool up, Duration now, std::vector<Incoming>& out);
+  /// Down and up: the transport then gives the last values on the channel again.
+  void set_up_anew(std::size_t channel, Duration now, std::vector<Incoming>& out) {
+    set_up(channel, false, now, out);
+    set_up(channel, true, now, out);
+  }
   /// Retries the connections and disconnections that are due.
   void update(Duration now, std::vector<Incoming>& out);
   std::optional<Duration> next_due() const;

@@ -26,15 +26,12 @@ struct Life {
 };
 
 /// Another life beside the one that is taken for the peer. It is forgotten after three heartbeat
-/// periods of silence.
-///
-/// | the rival is                | when                                                     | it |
-/// |-----------------------------|----------------------------------------------------------|----|
-/// | a newcomer                  | its events came before its first heartbeat               |
-/// becomes the peer with that heartbeat | | the former life             | a later one was heard
-/// while it was not yet silent        | becomes the peer again with kWords new heartbeats of at
-/// least two periods: it is alive | | a second process (refused)  | the former life has become the
-/// peer again                | becomes the peer once that is silent |
+/// periods of silence. It is one of these:
+/// - a newcomer: its events came before its first heartbeat, with which it becomes the peer;
+/// - the former life: a later one was heard while it was not yet silent. It becomes the peer again
+///   with kWords new heartbeats over at least two periods, since then it is alive;
+/// - a second process, which is refused: the former life has become the peer again. It becomes the
+///   peer once that is silent.
 ///
 /// So a restart is followed at once, and of two processes that run at the same time the one that
 /// was heard first is the peer. Source: docs/decisions/0072.
@@ -47,5 +44,11 @@ struct Rival {
   int words = 0;        ///< new heartbeats of the former life since then
   bool is_refused = false;
 };
+
+/// Why samples of another life are refused while the peer is heard.
+inline const wire::Violation kOfSecond{
+    "header.incarnation", "is of a second node with this name, while the first is heard"};
+inline const wire::Violation kOfOlderSecond{"header.incarnation",
+                                            "is an older one: a second node has this name"};
 
 }  // namespace skein::blackboard

@@ -41,11 +41,10 @@ std::optional<Duration> sooner(std::optional<Duration> a, std::optional<Duration
 Peer::Peer(PeerChannels channels, const Config& config)
     : channels_(channels),
       config_(&config),
-      self_incarnation_(config.incarnation),
       period_(config.heartbeat_period),
       outgoing_(config.held_events, config.retransmission),
       parts_out_(config.retransmission),
-      life_(config.self, config.incarnation) {
+      lives_(config) {
   limit(config.channels[channels.outgoing].capacity, {});
 }
 
@@ -85,7 +84,7 @@ Duration Peer::acknowledgement_delay() const {
 }
 
 void Peer::owe_acknowledgement(Duration now) {
-  if (!life_.incoming.owes_acknowledgement() || acknowledge_at_) return;
+  if (!lives_.present().incoming.owes_acknowledgement() || acknowledge_at_) return;
   acknowledge_at_ = now + acknowledgement_delay();
 }
 
@@ -106,25 +105,26 @@ Duration Peer::silence_limit() const {
 
 Novelty Peer::on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
                        std::vector<Incoming>& out) {
-  Life* life = life_of(header.incarnation, now.steady);
+  Life* life = lives_.with(header.incarnation, reachable_, now.steady);
   if (life == nullptr || is_refused_) return Novelty::kKnown;
   const Novelty novelty = life->incoming.on_event(header, std::move(event));
-  if (life != &life_) return novelty;
-  life_.incoming.deliver(channels_.kind, now.mission, out);
+  if (life != &lives_.present()) return novelty;
+  lives_.present().incoming.deliver(channels_.kind, now.mission, out);
   owe_acknowledgement(now.steady);
   return novelty;
 }
 
 void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out) {
   const std::uint64_t incarnation = heartbeat.header.incarnation;
-  const bool is_former_again = is_former(incarnation) && former_goes_on(now.steady);
-  if (incarnation < life_.incarnation) return;
-  forget_silent_rival(now.steady);
-  const bool is_another = incarnation > life_.incarnation;
-  const bool restarted = (is_another && life_.incarnation != 0) || is_former_again;
+  const bool is_former_again =
+      lives_.is_former(incarnation) && lives_.former_goes_on(silence_limit(), now.steady);
+  if (incarnation < lives_.present().incarnation) return;
+  lives_.forget_silent_rival(silence_limit(), now.steady);
+  const bool is_another = incarnation > lives_.present().incarnation;
+  const bool restarted = (is_another && lives_.present().incarnation != 0) || is_former_again;
   if (is_another) {
-    follow(incarnation, now.steady);
-    life_.newest_heartbeat = heartbeat.header.sequence_number;
+    lives_.follow(incarnation, reachable_, now.steady);
+    lives_.present().newest_heartbeat = heartbeat.header.sequence_number;
   }
   if (restarted) rival_turns_ = 0;
   heard_latest_ = true;
@@ -134,21 +134,21 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
     outgoing_.resend();
     parts_out_.resend();
     next_heartbeat_ = now.steady;
-    life_.incoming.begin_contact();
+    lives_.present().incoming.begin_contact();
   }
   reachable_ = true;
   outgoing_.set_contact(true);
   parts_out_.set_contact(true);
   recalled_ = false;
-  life_.last_heard = now.steady;
-  life_.incoming.on_heartbeat(heartbeat, out);
-  life_.incoming.deliver(channels_.kind, now.mission, out);
+  lives_.present().last_heard = now.steady;
+  lives_.present().incoming.on_heartbeat(heartbeat, out);
+  lives_.present().incoming.deliver(channels_.kind, now.mission, out);
   owe_acknowledgement(now.steady);
 }
 
 void Peer::take_acknowledgement(const wire::Heartbeat& heartbeat, std::vector<Incoming>& out) {
   const std::uint64_t heard = heartbeat.ack_incarnation;
-  const bool is_heard = heard == self_incarnation_;
+  const bool is_heard = heard == self_incarnation();
   if (is_heard) {
     for (const std::uint64_t receipt : outgoing_.acknowledge(heartbeat.ack_sequence)) {
       out.emplace_back(EventDelivered{channels_.number, receipt});
@@ -157,7 +157,7 @@ void Peer::take_acknowledgement(const wire::Heartbeat& heartbeat, std::vector<In
   if (is_heard && !is_heard_ && was_heard_) outgoing_.resend();
   is_heard_ = is_heard;
   was_heard_ = was_heard_ || is_heard;
-  const bool is_refused = was_heard_ && heard != 0 && heard < self_incarnation_;
+  const bool is_refused = was_heard_ && heard != 0 && heard < self_incarnation();
   if (is_refused && !is_refused_) out.emplace_back(TakenForOlder{channels_.number, heard, false});
   is_refused_ = is_refused;
 }
@@ -168,11 +168,9 @@ void Peer::on_old_heartbeat() {
 }
 
 void Peer::become(std::uint64_t incarnation, Duration now) {
-  self_incarnation_ = incarnation;
   outgoing_.become(incarnation);
   parts_out_.become(incarnation);
-  life_.incoming.become(incarnation);
-  if (rival_) rival_->life.incoming.become(incarnation);
+  lives_.become(incarnation);
   next_heartbeat_ = now;
 }
 
@@ -210,10 +208,10 @@ void Peer::hold(wire::Sample event, std::uint64_t receipt) {
 }
 
 void Peer::recall_received(const wire::SampleHeader& header) {
-  life_.incarnation = std::max(life_.incarnation, header.incarnation);
+  lives_.present().incarnation = std::max(lives_.present().incarnation, header.incarnation);
   if (header.sequence_number >= kFirstLongEvent)
-    return life_.parts.recall(header.incarnation, header.sequence_number);
-  life_.incoming.recall(header);
+    return lives_.present().parts.recall(header.incarnation, header.sequence_number);
+  lives_.present().incoming.recall(header);
 }
 
 void Peer::recall_reachable(bool reachable) {
@@ -225,8 +223,9 @@ void Peer::recall_reachable(bool reachable) {
 
 // The silence of a peer that was in reach is counted from the first update of this life.
 void Peer::update(Now now, std::vector<Incoming>& out) {
-  if (recalled_ && life_.last_heard == Duration{}) life_.last_heard = now.steady;
-  if (reachable_ && now.steady - life_.last_heard >= silence_limit()) {
+  if (recalled_ && lives_.present().last_heard == Duration{})
+    lives_.present().last_heard = now.steady;
+  if (reachable_ && now.steady - lives_.present().last_heard >= silence_limit()) {
     reachable_ = false;
     outgoing_.set_contact(false);
     parts_out_.set_contact(false);
@@ -250,13 +249,13 @@ bool Peer::heartbeat_due(Duration steady) const {
 wire::Heartbeat Peer::take_heartbeat(Duration steady) {
   next_heartbeat_ = steady + between_heartbeats(period_);
   acknowledge_at_.reset();
-  life_.incoming.acknowledged();
+  lives_.present().incoming.acknowledged();
   wire::Heartbeat heartbeat;
   heartbeat.events_from = outgoing_.oldest();
   heartbeat.events_to = outgoing_.next_sequence() - 1;
-  heartbeat.ack_incarnation = reachable_ || heard_old_ ? life_.incarnation : 0;
+  heartbeat.ack_incarnation = reachable_ || heard_old_ ? lives_.present().incarnation : 0;
   heard_old_ = false;
-  heartbeat.ack_sequence = reachable_ ? life_.incoming.ack_sequence() : 0;
+  heartbeat.ack_sequence = reachable_ ? lives_.present().incoming.ack_sequence() : 0;
   return heartbeat;
 }
 
@@ -279,15 +278,15 @@ std::uint32_t Peer::bytes_of_a_part() const {
 
 std::optional<std::variant<wire::Sample, Malformed>> Peer::on_part(const wire::Part& part, Now now,
                                                                    std::vector<Incoming>& out) {
-  if (is_refused_ || (reachable_ && part.header.incarnation != life_.incarnation))
+  if (is_refused_ || (reachable_ && part.header.incarnation != lives_.present().incarnation))
     return std::nullopt;
-  if (part.ack_incarnation == self_incarnation_) {
+  if (part.ack_incarnation == self_incarnation()) {
     for (const std::uint64_t receipt : parts_out_.heard(part.ack_number, part.ack_bytes))
       out.emplace_back(EventDelivered{channels_.number, receipt});
   }
   if (part.number == 0) return std::nullopt;
-  auto event = life_.parts.take(part);
-  if (life_.parts.owes() && !acknowledge_parts_at_)
+  auto event = lives_.present().parts.take(part);
+  if (lives_.present().parts.owes() && !acknowledge_parts_at_)
     acknowledge_parts_at_ = now.steady + acknowledgement_delay();
   return event;
 }
@@ -298,14 +297,14 @@ std::optional<wire::Part> Peer::due_part(Now now) const {
   const bool owes = can_send() && acknowledge_parts_at_ && now.steady >= *acknowledge_parts_at_;
   if (!part && !owes) return std::nullopt;
   if (!part) part.emplace();
-  part->ack_incarnation = life_.parts.ack_incarnation();
-  part->ack_number = life_.parts.ack_number();
-  part->ack_bytes = life_.parts.ack_bytes();
+  part->ack_incarnation = lives_.present().parts.ack_incarnation();
+  part->ack_number = lives_.present().parts.ack_number();
+  part->ack_bytes = lives_.present().parts.ack_bytes();
   return part;
 }
 
 void Peer::part_written(const wire::Part& part, Duration until) {
-  life_.parts.told();
+  lives_.present().parts.told();
   acknowledge_parts_at_.reset();
   if (part.number != 0) parts_out_.written(part, until);
 }
@@ -347,7 +346,7 @@ std::optional<wire::Sample> Peer::take_next(Now now) {
 
 std::optional<Duration> Peer::next_wakeup() const {
   std::optional<Duration> silent;
-  if (reachable_) silent = life_.last_heard + silence_limit();
+  if (reachable_) silent = lives_.present().last_heard + silence_limit();
   if (!can_send()) return silent;
   auto write = sooner(next_heartbeat_, acknowledge_at_);
   if (!recalled_) write = sooner(write, outgoing_.next_due(round_trip()));

@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "life.hpp"
 #include "limited_channel.hpp"
+#include "lives.hpp"
 #include "outgoing_events.hpp"
 #include "outgoing_parts.hpp"
 #include "skein/blackboard/blackboard.hpp"
@@ -42,15 +42,14 @@ class Peer {
   bool reachable() const { return reachable_; }
   /// The incarnation that is taken for the peer: the greatest heard, or a smaller one that goes on
   /// beside it (see Rival); 0: none.
-  std::uint64_t incarnation() const { return life_.incarnation; }
+  std::uint64_t incarnation() const { return lives_.present().incarnation; }
   /// The incarnation of this node towards the peer.
-  std::uint64_t self_incarnation() const { return self_incarnation_; }
+  std::uint64_t self_incarnation() const { return lives_.self_incarnation(); }
   /// Whether the peer has heard this node at some time of this life.
   bool was_heard() const { return was_heard_; }
   /// Towards the peer, which never heard this node, it has this incarnation from now on.
   void become(std::uint64_t incarnation, Duration now);
-  /// Whether this is the life before that of the peer, which may still be alive.
-  bool is_former(std::uint64_t incarnation) const;
+  Lives& lives() { return lives_; }
   /// A heartbeat of an older incarnation of the peer arrived. While the latest one is silent, the
   /// sender is told of it, since it may be a new life with too small a number.
   void on_old_heartbeat();
@@ -82,26 +81,23 @@ class Peer {
   /// It said something new in that life, with nobody in between: as long as there is contact, that
   /// goes on as with a heartbeat.
   void on_sign_of_life(std::uint64_t incarnation, Duration steady) {
-    if (reachable_ && incarnation == life_.incarnation) life_.last_heard = steady;
+    Life& life = lives_.present();
+    if (reachable_ && incarnation == life.incarnation) life.last_heard = steady;
   }
   /// Whether samples of this incarnation are refused, because an earlier one is heard: then a
   /// second process with the peer's number says them. Notes that it does.
-  bool refuses(std::uint64_t incarnation, Duration steady);
-  /// Whether samples of this incarnation were refused until the earlier one was silent.
-  bool was_refused(std::uint64_t incarnation) const;
-  /// Whether the heartbeat is new in its incarnation, which is at least that of the peer or that
-  /// before it; then it is the newest.
-  Novelty note(const wire::Heartbeat& heartbeat);
+  bool refuses(std::uint64_t incarnation, Duration steady) {
+    if (!reachable_ || !lives_.was_refused(incarnation)) return false;
+    lives_.refused(steady);
+    return true;
+  }
   void on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out);
   /// A part of a long event of the peer arrived, or an acknowledgement of own parts. Returns the
   /// event that is complete now, or why it cannot be decoded.
   std::optional<std::variant<wire::Sample, Malformed>> on_part(const wire::Part& part, Now now,
                                                                std::vector<Incoming>& out);
   /// All delivered events count as handled.
-  void commit() {
-    life_.commit();
-    if (rival_) rival_->life.commit();
-  }
+  void commit() { lives_.commit(); }
   /// Detects the loss of contact and the expiry of events.
   void update(Now now, std::vector<Incoming>& out);
 
@@ -130,6 +126,9 @@ class Peer {
   std::optional<Duration> next_wakeup() const;
 
  private:
+  /// After one, an old heartbeat may only be late.
+  static constexpr int kRivalTurns = 3;
+
   /// Delay of channels and acknowledgements, to be added to time-outs.
   Duration round_trip() const;
   Duration acknowledgement_delay() const;
@@ -143,17 +142,6 @@ class Peer {
   bool sends_parts() const { return can_send() && reachable_ && is_heard_ && !recalled_; }
   void limit(double capacity, Duration now);
 
-  // Two processes with the peer's number (peer_rivals.cpp).
-
-  /// The life with this incarnation; a later one than the peer's is kept apart until its first
-  /// heartbeat. Null: there is none.
-  Life* life_of(std::uint64_t incarnation, Duration steady);
-  /// That incarnation is the peer from now on.
-  void follow(std::uint64_t incarnation, Duration steady);
-  /// The life before this one has said something new. Whether it is the peer again.
-  bool former_goes_on(Duration steady);
-  void forget_silent_rival(Duration steady);
-
   Duration silence_limit() const;
   /// Whether samples can reach the peer, as far as is known here.
   bool can_send() const { return relays_ > 0 || out_condition_.up; }
@@ -161,17 +149,12 @@ class Peer {
   PeerChannels channels_;
   const Config* config_;
   std::unique_ptr<LimitedChannel> limited_;
-  /// After one, an old heartbeat may only be late.
-  static constexpr int kRivalTurns = 3;
-
-  std::uint64_t self_incarnation_;
   Duration period_;
   ChannelCondition out_condition_;
   ChannelCondition in_condition_;
   OutgoingEvents outgoing_;
   OutgoingParts parts_out_;
-  Life life_;
-  std::unique_ptr<Rival> rival_;
+  Lives lives_;
   std::size_t relays_ = 0;
   bool heard_of_ = false;
   bool turn_of_passing_ = false;
