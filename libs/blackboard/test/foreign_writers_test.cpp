@@ -73,6 +73,13 @@ class ForeignWriters : public ::testing::TestWithParam<Pair> {
   }
   std::unique_ptr<ForeignWriter> writer(wire::Slot slot) const { return writer(slot, slot); }
 
+  /// One more heartbeat of marvin's to the ground station.
+  void beat(ForeignWriter& by, std::uint64_t incarnation) {
+    auto heartbeat = said_by_marvin<wire::Heartbeat>(++sequence_, incarnation);
+    heartbeat.header.destination = kGround.number.value();
+    by.write(bytes_of(heartbeat));
+  }
+
   bool run_until(const std::function<bool()>& condition, double seconds = 30) {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
     while (std::chrono::steady_clock::now() < deadline) {
@@ -98,6 +105,8 @@ class ForeignWriters : public ::testing::TestWithParam<Pair> {
         found.push_back(said->degree);
     return found;
   }
+
+  std::uint64_t sequence_ = 0;  ///< of the last heartbeat
 
  private:
   static Now now() {
@@ -247,12 +256,6 @@ TEST_P(ForeignWriters, WhatIsRefusedAgainAndAgainIsNamedTheTenthTimeWithTheCount
 TEST_P(ForeignWriters, TwoWhoSpeakByTurnsInOneNameAreNamedOnce) {
   const auto marvin = writer(wire::Slot::kHeartbeat);
   const auto other = writer(wire::Slot::kHeartbeat);
-  std::uint64_t sequence = 0;
-  const auto beat = [&](ForeignWriter& by, std::uint64_t incarnation) {
-    auto heartbeat = said_by_marvin<wire::Heartbeat>(++sequence, incarnation);
-    heartbeat.header.destination = kGround.number.value();
-    by.write(bytes_of(heartbeat));
-  };
   ASSERT_TRUE(run_until([&] {
     beat(*marvin, 20);
     beat(*other, 19);
@@ -269,19 +272,13 @@ TEST_P(ForeignWriters, TwoWhoSpeakByTurnsInOneNameAreNamedOnce) {
 // A node that starts again with a clock that was set back, say.
 TEST_P(ForeignWriters, AnOlderLifeAloneIsNotTakenForTwo) {
   const auto marvin = writer(wire::Slot::kHeartbeat);
-  std::uint64_t sequence = 0;
-  const auto beat = [&](std::uint64_t incarnation) {
-    auto heartbeat = said_by_marvin<wire::Heartbeat>(++sequence, incarnation);
-    heartbeat.header.destination = kGround.number.value();
-    marvin->write(bytes_of(heartbeat));
-  };
   ASSERT_TRUE(run_until([&] {
-    beat(20);
+    beat(*marvin, 20);
     return !reports<Reachability>().empty();
   }));
   EXPECT_FALSE(run_until(
       [&] {
-        beat(19);
+        beat(*marvin, 19);
         return !reports<Dropped>().empty();
       },
       2));
@@ -357,12 +354,6 @@ TEST_P(ForeignWriters, ASecondNodeOfTheSameNameIsTheLaterOfTheTwoAndRefusedWhile
   const auto marvin = writer(wire::Slot::kHeartbeat);
   const auto other = writer(wire::Slot::kHeartbeat);
   const auto others_degree = writer(wire::Slot::kAutonomyDegree);
-  std::uint64_t sequence = 0;
-  const auto beat = [&](ForeignWriter& by, std::uint64_t incarnation) {
-    auto heartbeat = said_by_marvin<wire::Heartbeat>(++sequence, incarnation);
-    heartbeat.header.destination = kGround.number.value();
-    by.write(bytes_of(heartbeat));
-  };
   ASSERT_TRUE(run_until([&] {
     beat(*marvin, 20);
     return !reports<Reachability>().empty();
@@ -370,7 +361,7 @@ TEST_P(ForeignWriters, ASecondNodeOfTheSameNameIsTheLaterOfTheTwoAndRefusedWhile
   ASSERT_TRUE(run_until([&] {
     beat(*other, 50);
     beat(*marvin, 20);
-    others_degree->write(bytes_of(degree(++sequence, 1, 50)));
+    others_degree->write(bytes_of(degree(++sequence_, 1, 50)));
     return reports<Dropped>().size() > 20;
   }));
 

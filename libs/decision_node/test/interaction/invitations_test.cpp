@@ -8,8 +8,8 @@
 
 #include "skein/decision_node/stand_in.hpp"
 #include "skein/foundation/joined.hpp"
-#include "skein/negotiation/negotiation_manager.hpp"
 #include "testing/flown_node.hpp"
+#include "testing/negotiating_partner.hpp"
 #include "testing/stood_in.hpp"
 
 namespace skein::decision_node {
@@ -95,34 +95,14 @@ class AgreedOnRoles : public ::testing::Test {
     while (!to_heliv.empty()) {
       const SessionMessage message = to_heliv.front();
       to_heliv.pop_front();
-      for (const SessionMessage& answer : answers(interaction::SessionMessageReceived{message}))
+      for (const SessionMessage& answer :
+           heliv_.answers(interaction::SessionMessageReceived{message}, now_))
         note(give(answer));
     }
   }
 
-  std::vector<SessionMessage> answers(const interaction::NegotiationInput& input) {
-    std::vector<SessionMessage> sent;
-    const auto effects = heliv_.handle(input, now_);
-    for (const interaction::NegotiationEffect& effect : effects.value()) {
-      std::vector<SessionMessage> more;
-      if (const auto* send = std::get_if<interaction::SendSessionMessage>(&effect)) {
-        more = {send->message};
-      } else if (const auto* invited = std::get_if<interaction::InvitedToNegotiate>(&effect)) {
-        const interaction::Terms& terms = invited->terms;
-        more = answers(interaction::BeginNegotiation{terms.subject, terms.modality, terms.members,
-                                                     terms.model, terms.parameters});
-      } else if (const auto* asked = std::get_if<interaction::PrepareOffer>(&effect)) {
-        more = answers(
-            interaction::OfferPrepared{asked->terms.id(), interaction::Rows{{"watch", "", {1}}}});
-      }
-      sent.insert(sent.end(), more.begin(), more.end());
-    }
-    return sent;
-  }
-
   StandIn stand_in_{testing::stood_in_config("relay")};
-  interaction::NegotiationManager heliv_{
-      "heliv", 1, interaction::standard_modalities(), {}, MissionTime()};
+  testing::NegotiatingPartner heliv_{interaction::Rows{{"watch", "", {1}}}};
   MissionTime now_ = MissionTime::seconds(10);
 };
 

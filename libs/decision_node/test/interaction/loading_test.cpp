@@ -7,8 +7,8 @@
 #include <deque>
 
 #include "skein/decision_node/stand_in.hpp"
-#include "skein/negotiation/negotiation_manager.hpp"
 #include "testing/flown_node.hpp"
+#include "testing/negotiating_partner.hpp"
 #include "testing/stood_in.hpp"
 
 namespace skein::decision_node {
@@ -38,7 +38,7 @@ class NotAgreedOn : public ::testing::Test {
       open.pop_front();
       for (const auto& one : all<SendNegotiation>(effects.said))
         for (const SessionMessage& answer :
-             answers(interaction::SessionMessageReceived{one.message}))
+             heliv_.answers(interaction::SessionMessageReceived{one.message}, now_))
           open.push_back(stand_in_.handle(answer, now_));
       for (const auto& one : all<NegotiationNoted>(effects.said))
         if (one.state == "failed") failed_.push_back(now_);
@@ -83,29 +83,8 @@ class NotAgreedOn : public ::testing::Test {
   std::vector<std::string> notices_, over_;
 
  private:
-  std::vector<SessionMessage> answers(const interaction::NegotiationInput& input) {
-    std::vector<SessionMessage> sent;
-    const auto effects = heliv_.handle(input, now_);
-    for (const interaction::NegotiationEffect& effect : effects.value()) {
-      std::vector<SessionMessage> more;
-      if (const auto* send = std::get_if<interaction::SendSessionMessage>(&effect)) {
-        more = {send->message};
-      } else if (const auto* invited = std::get_if<interaction::InvitedToNegotiate>(&effect)) {
-        const interaction::Terms& terms = invited->terms;
-        more = answers(interaction::BeginNegotiation{terms.subject, terms.modality, terms.members,
-                                                     terms.model, terms.parameters});
-      } else if (const auto* asked = std::get_if<interaction::PrepareOffer>(&effect)) {
-        more = answers(interaction::OfferPrepared{
-            asked->terms.id(), failure("it can play no role: watch: no viewpoint")});
-      }
-      sent.insert(sent.end(), more.begin(), more.end());
-    }
-    return sent;
-  }
-
   StandIn stand_in_{testing::stood_in_config("relay")};
-  interaction::NegotiationManager heliv_{
-      "heliv", 1, interaction::standard_modalities(), {}, MissionTime()};
+  testing::NegotiatingPartner heliv_{failure("it can play no role: watch: no viewpoint")};
 };
 
 // Found by an outsider: 120 s of processor time for 539 s of a mission.

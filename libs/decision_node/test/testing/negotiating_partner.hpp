@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// "heliv", who answers in sessions that others open.
+#pragma once
+
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "skein/negotiation/negotiation_manager.hpp"
+
+namespace skein::decision_node::testing {
+
+/// Takes part in each session to which it is invited, with the same offer.
+class NegotiatingPartner {
+ public:
+  explicit NegotiatingPartner(Result<interaction::Rows, Failure> offer)
+      : offer_(std::move(offer)) {}
+
+  std::vector<interaction::SessionMessage> answers(const interaction::NegotiationInput& input,
+                                                   MissionTime now) {
+    std::vector<interaction::SessionMessage> sent;
+    const auto effects = manager_.handle(input, now);
+    for (const interaction::NegotiationEffect& effect : effects.value()) {
+      std::vector<interaction::SessionMessage> more;
+      if (const auto* send = std::get_if<interaction::SendSessionMessage>(&effect)) {
+        more = {send->message};
+      } else if (const auto* invited = std::get_if<interaction::InvitedToNegotiate>(&effect)) {
+        const interaction::Terms& terms = invited->terms;
+        more = answers(interaction::BeginNegotiation{terms.subject, terms.modality, terms.members,
+                                                     terms.model, terms.parameters},
+                       now);
+      } else if (const auto* asked = std::get_if<interaction::PrepareOffer>(&effect)) {
+        more = answers(interaction::OfferPrepared{asked->terms.id(), offer_}, now);
+      }
+      sent.insert(sent.end(), more.begin(), more.end());
+    }
+    return sent;
+  }
+
+ private:
+  Result<interaction::Rows, Failure> offer_;
+  interaction::NegotiationManager manager_{
+      "heliv", 1, interaction::standard_modalities(), {}, MissionTime()};
+};
+
+}  // namespace skein::decision_node::testing
