@@ -37,7 +37,7 @@ const std::vector<Law>& all_laws() {
       {"restless", "roles that all have just kept are not asked for again", restless_negotiations},
       {"activations", "all of a role is over when its joint task is", activations_without_end},
       {"joint", "no joint task ends at one and is aborted at another", joint_tasks_apart},
-      {"joint-ends", "each joint task ends, or says why it is not done", joint_tasks_without_end},
+      {"joint-ends", "each joint task ends, and says why if not done", joint_tasks_without_end},
       {"joint-done", "a joint task achieved was truly done by its members", joint_tasks_not_done},
       {"places", "where a role sends a UAV its constraints hold, by truth",
        places_against_constraints},

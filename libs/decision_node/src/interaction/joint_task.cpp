@@ -21,7 +21,6 @@ using Kind = interaction::NegotiationOutcome::Kind;
 constexpr const char* kRoles = "/roles";
 constexpr const char* kStart = "/start";
 constexpr Duration kSession = Duration::milliseconds(30'000);
-constexpr Duration kRetry = Duration::milliseconds(1'000);
 constexpr Duration kPatience =
     Duration::milliseconds(600'000);  // where the plan has no latest start
 // Where it has run and failed, it is due: whom it failed for comes back soon, or is done without.
@@ -126,7 +125,7 @@ void JointTask::wait_for_partners() {
   }
   const bool bounded = latest < Duration::seconds(kFarthest);
   const MissionTime could = std::max(now(), MissionTime() + first);
-  if (could > now() + kRetry)
+  if (could > now() + Retries::kOftenest)
     due_since_.reset();
   else if (!due_since_)
     due_since_ = could;
@@ -294,7 +293,7 @@ void JointTask::not_agreed(const std::string& why) {
   if (retries_.failed(why, now()))
     host_.bus().emit(Notice{my_.joint.subject + " is not agreed on, and is tried until " +
                             std::to_string(std::lround(try_until_.to_seconds())) + " s: " + why});
-  if (now() + kRetry > try_until_) not_loaded(why);
+  if (now() + Retries::kOftenest > try_until_) not_loaded(why);
 }
 
 void JointTask::not_loaded(const std::string& why) {

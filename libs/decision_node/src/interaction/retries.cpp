@@ -8,7 +8,6 @@ namespace skein::decision_node {
 
 namespace {
 
-constexpr Duration kOftenest = Duration::milliseconds(1'000);
 constexpr Duration kRarest = Duration::milliseconds(20'000);
 constexpr int kFirstTries = 10;  // so often it is repeated each second
 /// What keeps it from being agreed on is said once it has stood so long.

@@ -27,6 +27,8 @@ struct Circumstances {
 /// whose circumstances change asks the others anew. A value.
 class Retries {
  public:
+  static constexpr Duration kOftenest = Duration::milliseconds(1'000);
+
   /// The negotiation failed for this reason; true: it is time to report it, true once for each. A
   /// reason that soon passes by itself, such as a partner that gets its mission a little later, is
   /// not reported.

@@ -112,7 +112,8 @@ void Team::settle() {
   if (bids != bids_) {
     bids_ = bids;
     give(auction::Bids{bids});
-    if (!bids) withdraw();
+    // What has begun ends, or stays in the hands of the operator.
+    if (!bids && job_ && !job_->begun) withdraw();
   }
   if (!bids_) put_back_what_waits();
   look_at_what_was_handed_over();
@@ -125,9 +126,7 @@ void Team::settle() {
   }
 }
 
-// What has begun ends, or stays in the hands of the operator.
 void Team::withdraw() {
-  if (!job_ || job_->begun) return;
   job_->withdrawn = true;
   core_.deliberation().cancel_for_team(job_->goal, core_.config().uav + " itself");
 }
@@ -138,9 +137,7 @@ void Team::look_at_what_was_handed_over() {
   const bool left = job_ && job_->handed_over && mission::allocates(core_.degree());
   if (!left) return left_since_.reset();
   if (!left_since_) left_since_ = core_.bus().now();
-  if (core_.bus().now() < *left_since_ + kRest || job_->withdrawn) return;
-  job_->withdrawn = true;
-  core_.deliberation().cancel_for_team(job_->goal, core_.config().uav + " itself");
+  if (core_.bus().now() >= *left_since_ + kRest && !job_->withdrawn) withdraw();
 }
 
 void Team::put_back_what_waits() {

@@ -68,6 +68,7 @@ class Team final : public Component {
   void put_back(const std::string& why, bool failed);
   void put_back_what_waits();
   void note(const std::string& state, const std::string& why);
+  /// Precondition: it has a job.
   void withdraw();
   void look_at_what_was_handed_over();
   void go_home();
