@@ -15,12 +15,6 @@ Draft::Draft(const Catalogue& catalogue, Aim aim, std::vector<TaskNumber> items)
   for (const TaskNumber item : items_) node_of(item);
 }
 
-void Draft::add_rest(double cost, double end, std::uint32_t unsold) {
-  rest_cost_ += cost;
-  rest_end_ = std::max(rest_end_, end);
-  rest_unsold_ += unsold;
-}
-
 std::uint32_t Draft::node_of(TaskNumber task) {
   std::int32_t& known = node_of_task_[catalogue_->index(task)];
   if (known < 0) {
@@ -162,10 +156,12 @@ bool Draft::backward() {
       node.latest = std::min(node.latest, nodes_[a].latest - duration);
     }
   }
-  unsold_ = rest_unsold_;
+  unsold_ = rest_.unsold;
   for (std::size_t item = 0; item < items_.size(); ++item) unsold_ += nodes_[item].placed ? 0 : 1;
-  cost_ = rest_cost_;
-  end_ = rest_end_;
+  cost_ = rest_.cost;
+  end_ = rest_.end;
+  ends_ = rest_.ends;
+  for (const std::uint32_t n : order_) ends_ += nodes_[n].start + task_of(nodes_[n]).duration;
   for (std::size_t r = 0; r < routes_.size(); ++r) {
     if (routes_[r].stops.empty()) continue;
     for (const Stop& stop : routes_[r].stops) cost_ += stop.leg.cost;
@@ -196,7 +192,19 @@ std::vector<Leg> Draft::legs(std::size_t route) const {
   return legs;
 }
 
-Value Draft::value() const { return value_of(aim_, unsold_, cost_, end_); }
+double Draft::ends(std::size_t route) const {
+  double ends = 0;
+  for (const Stop& stop : routes_[route].stops) {
+    ends += nodes_[stop.node].start + task_of(nodes_[stop.node]).duration;
+  }
+  return ends;
+}
+
+Value Draft::value() const {
+  Value value = value_of(aim_, unsold_, cost_, end_);
+  value.ends = ends_;
+  return value;
+}
 
 std::vector<TaskNumber> Draft::tasks(std::size_t route) const {
   std::vector<TaskNumber> tasks;

@@ -43,9 +43,14 @@ class Draft {
  public:
   /// `catalogue` outlives the draft.
   Draft(const Catalogue& catalogue, Aim aim, std::vector<TaskNumber> items);
-  /// Adds the share of routes outside the draft to the value: their cost, latest end [s] and number
-  /// of unsold tasks.
-  void add_rest(double cost, double end, std::uint32_t unsold);
+  /// The share of the value that is outside the draft.
+  struct Rest {
+    double cost = 0;
+    double end = 0;   ///< the latest of a route [s]
+    double ends = 0;  ///< sum of the ends of tasks [s]
+    std::uint32_t unsold = 0;
+  };
+  void set_rest(const Rest& rest) { rest_ = rest; }
   /// `offer`: of a member that was called, for exactly this route; null: items cannot go to it.
   void add(const BookedRoute& route, const Offer* offer);
 
@@ -68,6 +73,8 @@ class Draft {
   double start(TaskNumber task) const;
   double end(std::size_t route) const;
   double cost(std::size_t route) const;
+  /// The sum of the ends of the tasks of a route [s].
+  double ends(std::size_t route) const;
   std::vector<Leg> legs(std::size_t route) const;
 
  private:
@@ -141,9 +148,8 @@ class Draft {
   std::vector<std::int32_t> node_of_task_;
   std::vector<Route> routes_;
   std::vector<std::uint32_t> order_;
-  double rest_cost_ = 0, rest_end_ = 0;
-  std::uint32_t rest_unsold_ = 0;
-  double cost_ = 0, end_ = 0;
+  Rest rest_;
+  double cost_ = 0, end_ = 0, ends_ = 0;
   std::uint32_t unsold_ = 0;
 };
 

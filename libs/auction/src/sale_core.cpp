@@ -140,12 +140,13 @@ void Auctioneer::Core::on_offer(const Offer& offer, MissionTime now, SaleEffects
 
 Auctioneer::Core::Deal Auctioneer::Core::draft_deal() {
   Deal deal{Draft(*setup_.lot, setup_.aim, items_), {}, {}, {}, {}};
-  double cost = 0, end = 0;
+  Draft::Rest rest;
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const auto offer = offers_.find(i);
     if (offer == offers_.end() && !setup_.lot->coupled()) {
-      cost += members_[i].cost;
-      end = std::max(end, members_[i].end);
+      rest.cost += members_[i].cost;
+      rest.end = std::max(rest.end, members_[i].end);
+      rest.ends += members_[i].ends;
     } else if (offer == offers_.end()) {
       if (members_[i].route.legs.empty()) continue;  // never heard: nothing is known of its dates
       deal.draft.add(without_items_.contains(i) ? without_items_[i] : members_[i].route, nullptr);
@@ -155,12 +156,12 @@ Auctioneer::Core::Deal Auctioneer::Core::draft_deal() {
       deal.routes.push_back(i);
     }
   }
-  const auto others = static_cast<std::uint32_t>(to_sell_.size() + left_over_.size());
-  std::uint32_t among = 0;
+  rest.unsold = static_cast<std::uint32_t>(to_sell_.size() + left_over_.size());
   for (const TaskNumber item : items_) {
-    among += static_cast<std::uint32_t>(std::count(left_over_.begin(), left_over_.end(), item));
+    rest.unsold -=
+        static_cast<std::uint32_t>(std::count(left_over_.begin(), left_over_.end(), item));
   }
-  deal.draft.add_rest(cost, end, others - among);
+  deal.draft.set_rest(rest);
   return deal;
 }
 
@@ -287,6 +288,7 @@ void Auctioneer::Core::book(const Deal& deal) {
     }
     member.end = deal.draft.end(r);
     member.cost = deal.draft.cost(r);
+    member.ends = deal.draft.ends(r);
     member.starts.clear();
     for (const TaskNumber task : member.route.tasks)
       member.starts.push_back(deal.draft.start(task));

@@ -48,7 +48,7 @@ class Auctioneer::Core {
   struct Member {
     BookedRoute route;
     std::vector<double> starts;
-    double cost = 0, end = 0;
+    double cost = 0, end = 0, ends = 0;
     bool present = true;                           ///< false: did not answer a call or an award
     std::map<TaskNumber, std::string> objections;  ///< reasons why it cannot do a task
     std::set<TaskNumber> vetoes;                   ///< it bid for them, won and refused the award

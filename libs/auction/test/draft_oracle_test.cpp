@@ -99,6 +99,7 @@ RC_GTEST_PROP(DraftOracle, ItsDatesAndItsValueAreThoseOfARouteWalked, (std::uint
   RC_ASSERT(draft.value().unsold == value->unsold);
   RC_ASSERT(std::abs(draft.value().first - value->first) < 1e-9);
   RC_ASSERT(std::abs(draft.value().second - value->second) < 1e-9);
+  RC_ASSERT(std::abs(draft.value().ends - value->ends) < 1e-9);
   for (const auto& route : routes_of(draft)) {
     for (const TaskNumber task : route) {
       RC_ASSERT(std::abs(draft.start(task) - walked.start(task)) < 1e-9);

@@ -44,5 +44,12 @@ TEST(Objective, TheTieBreakerCountsOnlyWhereTheAimIsEqual) {
   EXPECT_FALSE(better({0, 1, 5 - 0.5e-6}, {0, 1, 5}));
 }
 
+TEST(Objective, EarlierEndsCountOnlyWhereAimAndTieBreakerAreEqual) {
+  EXPECT_TRUE(better({0, 1, 5, 8}, {0, 1, 5, 9}));
+  EXPECT_FALSE(better({0, 1, 5, 9}, {0, 1, 5, 8}));
+  EXPECT_FALSE(better({0, 1, 5 + 2e-6, 8}, {0, 1, 5, 9}));
+  EXPECT_FALSE(better({0, 1, 5, 9 - 0.5e-6}, {0, 1, 5, 9}));
+}
+
 }  // namespace
 }  // namespace skein::auction

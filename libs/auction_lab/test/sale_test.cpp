@@ -39,6 +39,35 @@ TEST(Sale, EquitySpreadsWhatTheSumWouldPile) {
   EXPECT_LT(spread.value.first, piled.routes[0].end);
 }
 
+TEST(Sale, OfARouteAndItsReverseThatAreWorthTheSameTheOneWhoseTasksEndFirstIsSold) {
+  FlatVehicle comes_home{{0, 0}};
+  comes_home.end = Place{0, 0};
+  Team team{{comes_home}, {}, {}, {}, {}};
+  team.add_task({100, 0}).add_task({10, 0}, 5).add_task({10, 40}, 5);
+
+  const SaleOutcome outcome = team.sell();
+
+  EXPECT_THAT(outcome.routes[0].tasks, ElementsAre(task_number(1), task_number(0), task_number(2)));
+}
+
+TEST(Sale, NoRouteHomeIsSoldWhoseTasksWouldEndSoonerTheOtherWayRound) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    Team team = random_team(2, 6, seed);
+    team.aim.equity = 0.5;
+    for (FlatVehicle& vehicle : team.vehicles) vehicle.end = vehicle.begin;
+    const SaleOutcome outcome = team.sell();
+
+    for (const auto& route : outcome.routes) {
+      double there = 0, back = 0;
+      for (const double start : route.starts) {
+        there += start;
+        back += route.end - start;  // tasks that take no time
+      }
+      EXPECT_LE(there, back + 1e-3) << "seed " << seed;
+    }
+  }
+}
+
 TEST(Sale, EverySaleSaysWhoElseCouldAndWhatThatWouldHaveCost) {
   Team team{{{{0, 0}}, {{100, 0}}}, {}, {}, {}, {}};
   team.add_task({10, 0});

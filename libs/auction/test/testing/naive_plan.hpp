@@ -21,7 +21,7 @@ class NaivePlan {
   /// None: a circle of waits, a deadline missed, or a battery too small.
   std::optional<Value> value(Aim aim) {
     if (!date() || !lasts()) return std::nullopt;
-    double cost = 0, end = 0;
+    double cost = 0, end = 0, ends = 0;
     std::set<TaskNumber> done;
     for (std::size_t r = 0; r < routes_.size(); ++r) {
       if (routes_[r].empty()) continue;
@@ -29,7 +29,11 @@ class NaivePlan {
       for (const Leg& leg : legs(r)) cost += leg.cost;
       end = std::max(end, end_of(routes_[r].back()) + legs(r).back().seconds);
     }
-    return value_of(aim, static_cast<std::uint32_t>(lot_->size() - done.size()), cost, end);
+    for (const TaskNumber task : done) ends += end_of(task);
+    const auto unsold = static_cast<std::uint32_t>(lot_->size() - done.size());
+    Value value = value_of(aim, unsold, cost, end);
+    value.ends = ends;
+    return value;
   }
   double start(TaskNumber task) const { return start_[lot_->index(task)]; }
 

@@ -14,25 +14,30 @@ struct Aim {
   double equity = 0;
 };
 
-/// The value of an allocation, compared lexicographically: fewer unsold tasks first, then the aim.
+/// The value of an allocation, compared lexicographically: fewer unsold tasks first, then the aim,
+/// then earlier ends: where a member comes home, a route and its reverse have equal aims.
 /// Every trade lowers it, so trading terminates.
 struct Value {
   std::uint32_t unsold = 0;
   double first = 0;
   double second = 0;
+  double ends = 0;  ///< sum of the ends of all tasks [s]; 0 in the value of a placing
 };
 
 inline Value value_of(const Aim& aim, std::uint32_t unsold, double cost, double end) {
   const double blend = (1 - aim.equity) * cost + aim.equity * end;
-  return {unsold, blend, aim.equity < 0.5 ? end : cost};
+  return {unsold, blend, aim.equity < 0.5 ? end : cost, 0};
 }
 
 /// Whether `one` is better than `other` by more than rounding errors: required of every trade.
 inline bool better(const Value& one, const Value& other) {
   constexpr double kLeast = 1e-6;
   if (one.unsold != other.unsold) return one.unsold < other.unsold;
-  if (one.first < other.first - kLeast) return true;
-  return one.first <= other.first + kLeast && one.second < other.second - kLeast;
+  for (const auto part : {&Value::first, &Value::second, &Value::ends}) {
+    if (one.*part < other.*part - kLeast) return true;
+    if (one.*part > other.*part + kLeast) return false;
+  }
+  return false;
 }
 
 }  // namespace skein::auction
