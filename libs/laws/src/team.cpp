@@ -12,6 +12,9 @@ namespace {
 /// For elections, a sale and its answers over a slow radio [s].
 constexpr double kSold = 60;
 
+/// By which a UAV may be behind (decision 84), and for its word until the ground has it [s].
+constexpr double kBehind = 20, kHeard = 15;
+
 std::string named(std::int64_t task) { return "task " + std::to_string(task); }
 
 // What it was at had ended, as far as anybody can tell: a node that forgot tells nothing.
@@ -57,6 +60,22 @@ std::optional<double> left_off(const History& history, const TeamStanding& stand
   for (const Word& word : uav->second.words)
     if (word.text.rfind("contact: ", 0) == 0) since = std::max(since, word.at);
   return since;
+}
+
+// Takes part all that time, and what it says is heard.
+bool takes_part(const History& history, const Uav& uav, double from, double until) {
+  if (healed(history) > from || uav.degree(from) < 5 || out_of_contact(uav)) return false;
+  return std::none_of(uav.degrees.begin(), uav.degrees.end(),
+                      [&](const auto& one) { return from < one.first && one.first <= until; });
+}
+
+// Owned alone by it before it began something else, and still.
+bool still_owned(const TeamTask& task, const TeamWork& work, double at) {
+  const auto later = std::find_if(task.standings.begin(), task.standings.end(),
+                                  [&](const TeamStanding& one) { return one.at > at; });
+  if (later == task.standings.begin()) return false;
+  const TeamStanding& last = *std::prev(later);
+  return last.stage == "owned" && last.owners == work.uav && last.at <= work.begun;
 }
 
 bool says_to_whom_for_what(const std::string& why) {
@@ -123,6 +142,29 @@ std::vector<Violation> team_tasks_without_owner(const History& history) {
                        history.end - std::max(history.team.given.front(), whole) > kSold;
   if (nothing) {
     result.push_back({"", history.end, "", 0, "a global mission was given, and nobody sold it"});
+  }
+  return result;
+}
+
+// Whose task lasts for longer than its first plan allowed puts back what it has not begun.
+std::vector<Violation> kept_while_late(const History& history) {
+  std::vector<Violation> result;
+  for (const auto& [number, task] : history.team.tasks) {
+    for (const TeamWork& work : task.works) {
+      const auto uav = history.uavs.find(work.uav);
+      if (uav == history.uavs.end()) continue;
+      const auto promise = uav->second.promised.find(work.goal);
+      if (promise == uav->second.promised.end()) continue;
+      const double promised = promise->second.second, due = promised + kBehind + kHeard;
+      if (std::min(work.over, history.end) <= due) continue;
+      if (!takes_part(history, uav->second, work.begun, due)) continue;
+      for (const auto& [other, kept] : history.team.tasks) {
+        if (other == number || !still_owned(kept, work, due)) continue;
+        result.push_back({"", due, work.uav, 0,
+                          named(other) + " is kept by one whose " + named(number) +
+                              " was to end by " + figure(promised) + " s"});
+      }
+    }
   }
   return result;
 }

@@ -123,5 +123,40 @@ TEST(TeamOwned, WhoLeftATaskByItsContactLossPolicyDoesNotKeepItOnceHeardAgain) {
   EXPECT_THAT(put_back.broken("team-owned"), IsEmpty());
 }
 
+// Marvin owns 11 and 12, and begins 11 at 25 s, which is to end by 60 s.
+Story at_work() {
+  Story story = sold();
+  story.degree("marvin", 0, 5).owner(20, 12, "owned", 1, "marvin", "sold to marvin for 12 s");
+  story.team("marvin", 25, 11, 1, "begun").plans("marvin", 25, 11, 60).stands("marvin", 0, 200);
+  return story;
+}
+
+TEST(TeamLate, WhoIsBehindKeepsNothingThatItHasNotBegun) {
+  EXPECT_THAT(at_work().broken("team-late"),
+              ElementsAre(HasSubstr("task 12 is kept by one whose task 11 was to end by 60.0 s")));
+  Story in_time = at_work();
+  in_time.team("marvin", 75, 11, 1, "done");
+  EXPECT_THAT(in_time.broken("team-late"), IsEmpty());
+}
+
+TEST(TeamLate, WhatIsPutBackMayBeSoldToItAgain) {
+  Story story = at_work();
+  story.owner(81, 12, "for-sale", 1, "", "put back by marvin: it is 20 s behind with task 11");
+  story.owner(83, 12, "owned", 2, "marvin", "sold to marvin for 40 s");
+  EXPECT_THAT(story.broken("team-late"), IsEmpty());
+}
+
+TEST(TeamLate, ItIsTheFirstPlanThatPromises) {
+  Story story = at_work();
+  story.plans("marvin", 50, 11, 300);
+  EXPECT_THAT(story.broken("team-late"), SizeIs(1));
+}
+
+TEST(TeamLate, WhoseDegreeIsLoweredIsJudgedByOtherLaws) {
+  Story story = at_work();
+  story.degree("marvin", 65, 4);
+  EXPECT_THAT(story.broken("team-late"), IsEmpty());
+}
+
 }  // namespace
 }  // namespace skein::laws::testing

@@ -16,6 +16,7 @@ class TeamDrawing {
   TeamDrawing(std::uint64_t seed, const Kinds& kinds)
       : random_(seed, "random team mission"),
         policies_(seed, "contact-loss policies of a team"),
+        delays_(seed, "delays of a team"),
         kinds_(kinds) {
     mission_.seed = seed;
   }
@@ -32,6 +33,7 @@ class TeamDrawing {
     if (kinds_.faults && random_.chance(0.3)) {
       mission_.faults.push_back(draw_refusals(random_, any().name, kLatest));
     }
+    if (kinds_.faults) draw_delays();
     if (kinds_.deaths) draw_deaths();
     return std::move(mission_);
   }
@@ -94,6 +96,20 @@ class TeamDrawing {
     mission_.steps = {down, back};
   }
 
+  // Some fly slowly for a while, some against a wind that is felt. From a sequence of its own.
+  void draw_delays() {
+    if (delays_.chance(0.2)) {
+      mission_.wind = "toward: " + tenths(delays_.uniform(0, 6.2)) +
+                      ", speed: " + tenths(delays_.uniform(3, 6)) + ", gusts: 1";
+    }
+    for (std::size_t n = delays_.below(3); n > 0; --n) {
+      const std::string& uav = mission_.team[delays_.below(mission_.team.size())].name;
+      mission_.faults.push_back("{at: " + whole(delays_.uniform(15, 120)) + ", slow: {uav: " + uav +
+                                ", factor: " + tenths(delays_.uniform(2, 8)) +
+                                ", for: " + whole(delays_.uniform(60, 250)) + "}}");
+    }
+  }
+
   void draw_deaths() {
     std::vector<std::string> daemons{"ground"};
     for (const Member& one : mission_.team) daemons.push_back(one.name);
@@ -104,6 +120,7 @@ class TeamDrawing {
 
   Random random_;
   Random policies_;
+  Random delays_;
   Kinds kinds_;
   Mission mission_;
 };

@@ -23,9 +23,25 @@ constexpr std::uint64_t kNextAttempt = 10'000'000'000;
 /// puts that back.
 constexpr Duration kRest = Duration::milliseconds(10'000);
 
+/// Who stands still is taken to fly so many times more slowly than it would.
+constexpr double kMostSlowly = 10;
+
 std::string why_aside(int degree) {
   if (mission::allocates(degree)) return "it has carried out its contact-loss policy";
   return "degree " + std::to_string(degree);
+}
+
+/// Of what is planned for a goal: the ends of the last of it. None: nothing is.
+std::optional<mission::TaskDates> dates_of(const mission::PlanReport& report,
+                                           mission::GoalId goal) {
+  std::optional<mission::TaskDates> last;
+  for (const mission::PlannedTask& planned : report.tasks) {
+    if (planned.task.origin != goal) continue;
+    if (!last) last = planned.dates;
+    last->earliest_end = std::max(last->earliest_end, planned.dates.earliest_end);
+    last->latest_end = std::max(last->latest_end, planned.dates.latest_end);
+  }
+  return last;
 }
 
 }  // namespace
@@ -70,7 +86,8 @@ std::optional<MissionTime> Team::next_wakeup() const {
   if (!member_) return std::nullopt;
   const auto home = idle_since_ ? std::optional(*idle_since_ + kRest) : std::nullopt;
   const auto left = left_since_ ? std::optional(*left_since_ + kRest) : std::nullopt;
-  return earliest(member_->next_wakeup(), earliest(home, left));
+  const auto late = job_ && bids_ && !job_->handed_over ? lateness_.due() : std::nullopt;
+  return earliest(member_->next_wakeup(), earliest(late, earliest(home, left)));
 }
 
 void Team::mission_answered(mission::MissionId mission, bool accepted, const std::string& why) {
@@ -115,7 +132,8 @@ void Team::settle() {
     // What has begun ends, or stays in the hands of the operator.
     if (!bids && job_ && !job_->begun) withdraw();
   }
-  if (!bids_) put_back_what_waits();
+  if (!bids_) put_back_what_waits(why_aside(core_.degree()));
+  look_at_the_time();
   look_at_what_was_handed_over();
   if (!is_idle()) {
     idle_since_.reset();
@@ -140,7 +158,20 @@ void Team::look_at_what_was_handed_over() {
   if (core_.bus().now() >= *left_since_ + kRest && !job_->withdrawn) withdraw();
 }
 
-void Team::put_back_what_waits() {
+// Of what it has not begun another may do some sooner; the sale says whether.
+void Team::look_at_the_time() {
+  if (!bids_ || !job_ || job_->handed_over) return;
+  if (const auto dates = dates_of(core_.deliberation().report(), job_->goal))
+    lateness_.planned(dates->earliest_end, dates->latest_end);
+  const MissionTime now = core_.bus().now();
+  const auto behind = lateness_.behind(now);
+  if (!behind) return;
+  lateness_.renew(now);
+  put_back_what_waits("it is " + to_text(*behind) + " s behind with task " +
+                      to_text(job_->claim.task));
+}
+
+void Team::put_back_what_waits(const std::string& why) {
   const auto self = core_.config().team->roster.number_of(core_.config().uav);
   std::vector<auction::TaskNumber> waiting;
   for (const auto& [task, entry] : member_->ledger().entries) {
@@ -150,7 +181,6 @@ void Team::put_back_what_waits() {
     if (!open || !mine || member_->has_ended({task, entry.sale})) continue;
     if (!job_ || job_->claim.task != task) waiting.push_back(task);
   }
-  const std::string why = why_aside(core_.degree());
   for (const auction::TaskNumber task : waiting) give(auction::TaskPutBack{task, why});
 }
 
@@ -215,6 +245,7 @@ void Team::begin(const auction::Claim& claim, const team::Order& order) {
   mission::HighLevelTask& task = mission.tasks.front();
   task.id = mission::GoalId(claim.task.value() + attempt * kNextAttempt);
   mission.asked_by = order.asked_by + ", by the team";
+  lateness_.begun();
   job_ = Job{claim, task.id, mission.id, to_text(task), false, false};
   note("begun", "");
   core_.deliberation().take_for_team(mission);
@@ -287,6 +318,14 @@ Vantage Team::vantage() {
   }
   vantage.visits = visits_;
   const mission::PlanReport& report = core_.deliberation().report();
+  if (const auto dates = job_ ? dates_of(report, job_->goal) : std::nullopt) {
+    const double lasts = member_->ledger().entries.at(job_->claim.task).task.duration;
+    const Duration left = dates->earliest_end - vantage.now - Duration::seconds(lasts);
+    const double cruise = vantage.knowledge->vehicle.cruise_speed;
+    const double speed = std::max(telemetry_.state.velocity.norm(), cruise / kMostSlowly);
+    vantage.begun = Vantage::Begun{job_->claim.task, std::max(left, Duration()),
+                                   lateness_.told() ? std::max(1.0, cruise / speed) : 1};
+  }
   for (const mission::PlannedTask& planned : report.tasks) {
     if (job_ && planned.task.origin == job_->goal) continue;
     const Duration left = planned.dates.earliest_end - vantage.now;

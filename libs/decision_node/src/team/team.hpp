@@ -11,6 +11,7 @@
 #include "component.hpp"
 #include "skein/refiners/tour.hpp"
 #include "skein/team/roster.hpp"
+#include "team/lateness.hpp"
 
 namespace skein::team {
 struct Order;
@@ -66,7 +67,8 @@ class Team final : public Component {
   void carry_out(const auction::Store&) {}  // the node's memory has it
   void begin(const auction::Claim& claim, const team::Order& order);
   void put_back(const std::string& why, bool failed);
-  void put_back_what_waits();
+  void put_back_what_waits(const std::string& why);
+  void look_at_the_time();
   void note(const std::string& state, const std::string& why);
   /// Precondition: it has a job.
   void withdraw();
@@ -84,6 +86,7 @@ class Team final : public Component {
   bool bids_ = false;
   std::set<std::string> out_of_reach_;
   std::optional<Job> job_;
+  Lateness lateness_;  ///< of the job
   std::map<auction::TaskNumber, std::uint32_t> attempts_;
   std::map<auction::TaskNumber, std::string> failed_;
   std::map<auction::TaskNumber, std::optional<refiners::Gate>> visits_;

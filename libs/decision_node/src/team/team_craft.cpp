@@ -54,9 +54,19 @@ std::optional<auction::Leg> TeamCraft::leg(auction::Stopover from, auction::Stop
       refiners::estimate_flight({*begin, end->entry}, vehicle, at_.world->wind);
   if (flight.duration.expected == Duration::max()) return std::nullopt;
   const double inside = to.is_end() ? 0 : end->inside.to_seconds();
-  const double seconds = flight.duration.expected.to_seconds() + inside;
+  double seconds = flight.duration.expected.to_seconds() + inside;
+  if (from.is_begin() && is_begun(to)) {
+    const double planned = at_.begun->way.to_seconds();
+    seconds = inside > 0
+                  ? planned
+                  : std::max(seconds * at_.begun->slower, planned);  // a sweep may be half over
+  }
   const double sweep = inside * world::flight_power(vehicle, vehicle.cruise_speed, 0);
   return auction::Leg{seconds, seconds, flight.energy * vehicle.energy.capacity + sweep};
+}
+
+bool TeamCraft::is_begun(auction::Stopover place) const {
+  return at_.begun && !place.is_begin() && !place.is_end() && place.task() == at_.begun->task;
 }
 
 double TeamCraft::energy_of(const auction::Task& task) const {

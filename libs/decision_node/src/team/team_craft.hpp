@@ -26,6 +26,13 @@ struct Vantage {
   /// The work behind the ledger's tasks, and the places where the UAV would begin and end it.
   std::map<auction::TaskNumber, mission::HighLevelTask> tasks;
   std::map<auction::TaskNumber, std::optional<refiners::Gate>> visits;
+  /// The task that it is at, and how long its plan takes until what remains is the task itself.
+  struct Begun {
+    auction::TaskNumber task;
+    Duration way;
+    double slower = 1;  ///< how many times cruise speed is what it flies at, if it is behind
+  };
+  std::optional<Begun> begun = {};
   /// Tasks that this UAV tried in vain, with the reason.
   std::map<auction::TaskNumber, std::string> failed;
 };
@@ -51,6 +58,7 @@ class TeamCraft final : public auction::Craft {
   std::optional<refiners::Gate> visit(auction::TaskNumber task) const;
   std::optional<world::Vector3> leaves_from(auction::Stopover from) const;
   world::Vector3 begins_at() const;
+  bool is_begun(auction::Stopover place) const;
 
   Vantage at_;
 };

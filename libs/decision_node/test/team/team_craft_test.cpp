@@ -56,6 +56,31 @@ auction::Task task(std::uint32_t number) {
 
 Stopover to(std::uint32_t number) { return Stopover::of(TaskNumber(number)); }
 
+// A sweep of 30 s in which it has 10 s to go before the 20 s of the task itself.
+TEST(TeamCraft, OfWhatItHasBegunItsPlanSaysWhatIsLeft) {
+  Vantage at = vantage();
+  at.begun = Vantage::Begun{TaskNumber(2), Duration::seconds(10.0)};
+  EXPECT_DOUBLE_EQ(TeamCraft(at).leg(Stopover::begin(), to(2))->seconds, 10);
+  EXPECT_EQ(TeamCraft(at).leg(Stopover::begin(), to(1))->seconds,
+            TeamCraft(vantage()).leg(Stopover::begin(), to(1))->seconds);
+}
+
+TEST(TeamCraft, APlanThatShouldBeOverDoesNotMoveTheUavThere) {
+  Vantage at = vantage();
+  const auto straight = TeamCraft(at).leg(Stopover::begin(), to(1))->seconds;
+  at.begun = Vantage::Begun{TaskNumber(1), Duration()};
+  EXPECT_EQ(TeamCraft(at).leg(Stopover::begin(), to(1))->seconds, straight);
+  at.begun->way = Duration::seconds(100.0);
+  EXPECT_DOUBLE_EQ(TeamCraft(at).leg(Stopover::begin(), to(1))->seconds, 100);
+}
+
+TEST(TeamCraft, WhoIsBehindReckonsWhatIsLeftOfItsWayAtTheSpeedThatItFlies) {
+  Vantage at = vantage();
+  const auto straight = TeamCraft(at).leg(Stopover::begin(), to(1))->seconds;
+  at.begun = Vantage::Begun{TaskNumber(1), Duration(), 4};
+  EXPECT_DOUBLE_EQ(TeamCraft(at).leg(Stopover::begin(), to(1))->seconds, 4 * straight);
+}
+
 TEST(TeamCraft, AWayTakesAsLongAsAStraightFlightAtCruiseSpeedAndDrawsItsEnergy) {
   const auto leg = TeamCraft(vantage()).leg(Stopover::begin(), to(1));
 

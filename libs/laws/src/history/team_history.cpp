@@ -20,6 +20,7 @@ void TeamHistory::hear(const journal::lines::TeamTask& line, const journal::Writ
     TeamWork work;
     work.uav = line.uav;
     work.sale = sale;
+    work.goal = static_cast<std::int64_t>(line.goal);
     work.begun = when.at.to_seconds();
     works.push_back(std::move(work));
     return;

@@ -86,6 +86,11 @@ class UavTeller {
   void hear(const lines::Planned& line, const Written&) {
     uav_.goal_of.emplace(static_cast<std::int64_t>(line.task),
                          static_cast<std::int64_t>(line.goal));
+    const auto [promise, is_new] =
+        uav_.promised.try_emplace(static_cast<std::int64_t>(line.goal), line.revision, 0.0);
+    if (promise->second.first != line.revision) return;
+    double& latest = promise->second.second;
+    latest = std::max(latest, line.latest_end.value_or(kNever));
   }
   // A role's task serves the goal of its joint task.
   void hear(const lines::RoleTask& line, const Written&) {

@@ -208,7 +208,16 @@ Story& Story::team(const std::string& uav, double at, int task, int sale, const 
                              .task = static_cast<std::uint64_t>(task),
                              .sale = static_cast<std::uint64_t>(sale),
                              .state = state,
+                             .goal = static_cast<std::uint64_t>(task),
                              .why = why});
+}
+
+Story& Story::plans(const std::string& uav, double at, int goal, double latest) {
+  return add(at, uav,
+             lines::Planned{.uav = uav,
+                            .revision = static_cast<std::uint64_t>(at),
+                            .goal = static_cast<std::uint64_t>(goal),
+                            .latest_end = latest});
 }
 
 Story& Story::foretold(const std::string& uav, double at, int meeting, const std::string& last,

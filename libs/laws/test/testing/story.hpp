@@ -85,6 +85,8 @@ class Story {
   /// What a UAV does with one.
   Story& team(const std::string& uav, double at, int task, int sale, const std::string& state,
               const std::string& why = "");
+  /// It plans a goal by its first task: to end by `latest` [s].
+  Story& plans(const std::string& uav, double at, int goal, double latest);
   /// What it knows of who comes to a meeting, if he comes at all.
   Story& foretold(const std::string& uav, double at, int meeting, const std::string& last,
                   std::optional<double> soonest);

@@ -153,7 +153,9 @@ struct Uav {
   std::map<std::int64_t, Execution> executions;
   std::map<std::int64_t, Goal> goals;
   std::map<std::int64_t, std::int64_t> goal_of;  ///< goal by task, from its plans
-  std::vector<std::pair<double, int>> degrees;   ///< (from when on, degree)
+  /// By goal: the latest end that its first plan, of that revision, allowed [s].
+  std::map<std::int64_t, std::pair<std::uint64_t, double>> promised;
+  std::vector<std::pair<double, int>> degrees;  ///< (from when on, degree)
   std::vector<Closing> closings;
   std::vector<Word> words;
   std::vector<std::pair<double, std::string>> faults;

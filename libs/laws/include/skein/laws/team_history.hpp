@@ -25,6 +25,7 @@ namespace skein::laws {
 struct TeamWork {
   std::string uav;
   std::int64_t sale = 0;
+  std::int64_t goal = 0;
   double begun = 0;
   double over = std::numeric_limits<double>::infinity();
   std::string end;  ///< "done", "put-back"; empty while it goes on
