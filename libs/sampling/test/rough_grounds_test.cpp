@@ -154,38 +154,38 @@ world::VehicleModel a_quick_plane() {
   return vehicle;
 }
 
-struct Compared {
-  int both = 0, longer = 0;  ///< pairs of which each planner has a way; ours more than 5 % longer
-};
+/// A place 50 m above the ground.
+Vector3 any_place(const world::World& world, Random& random) {
+  const double x = random.uniform(-1250, 1250), y = random.uniform(-1250, 1250);
+  return {x, y, world.terrain.elevation(x, y) + 50};
+}
 
-/// Pairs of places 50 m above the ground.
-void compare(const world::World& world, Random& random, const world::VehicleModel& vehicle,
-             int pairs, const std::string& where, Compared& compared) {
-  const auto over = [&] {
-    const double x = random.uniform(-1250, 1250), y = random.uniform(-1250, 1250);
-    return Vector3(x, y, world.terrain.elevation(x, y) + 50);
-  };
+/// Pairs of places; how many of them each planner has a way for.
+int compare(const world::World& world, Random& random, const world::VehicleModel& vehicle,
+            int pairs, const std::string& where) {
+  int both = 0;
   for (int pair = 0; pair < pairs; ++pair) {
     refiners::PathQuery query;
     query.vehicle = vehicle;
     query.clearance = 20;
-    query.from = over();
-    query.to = over();
+    query.from = any_place(world, random);
+    query.to = any_place(world, random);
     const refiners::Setting setting{.world = world, .budget = {}};
 
     const auto voxels = refiners::VoxelPathPlanner().plan(query, setting);
     const auto trees = SamplingPathPlanner().plan(query, setting);
 
     if (!trees) continue;
-    ASSERT_TRUE(voxels) << where << pair << ": " << voxels.error().why;
+    EXPECT_TRUE(voxels) << where << pair << ": " << voxels.error().why;
+    if (!voxels) continue;
     const refiners::Way& way = voxels->task.way;
     EXPECT_TRUE(refiners::is_flyable(way, query.vehicle, 0, 0.5)) << where << pair;
     for (std::size_t i = 1; i < way.size(); ++i)
       EXPECT_GE((way[i] - way[i - 1]).norm(), 1) << where << pair << ", leg " << i;
-    EXPECT_LE(voxels->task.length, 1.08 * trees->task.length) << where << pair;
-    ++compared.both;
-    if (voxels->task.length > 1.05 * trees->task.length) ++compared.longer;
+    EXPECT_LE(voxels->task.length, 1.05 * trees->task.length) << where << pair;
+    ++both;
   }
+  return both;
 }
 
 /// Climbs turned in whole circles made 2 of 36 ways over the first three saw-toothed grounds 6 %
@@ -195,17 +195,28 @@ TEST(BothPlanners, GiveWaysOfAboutTheSameLengthOverEachKindOfRoughGroundToWhatCa
       {"saw teeth", saw_teeth}, {"canyons", canyons}, {"terraces", terraces},
       {"crater", crater},       {"fractal", fractal}, {"spikes", spikes}};
   const bool all = skein::testing::long_tests();
-  Compared compared;
+  int both = 0;
   for (const auto& [kind, height] : kinds)
     for (std::uint64_t seed = 1; seed <= (all ? 2 : 1); ++seed) {
       Random random(seed, kind);
       const world::World world = world_over(height(random));
       const std::string where = kind + " " + std::to_string(seed) + ", ";
-      compare(world, random, a_quick_plane(), all ? 3 : 1, where + "plane ", compared);
-      compare(world, random, patient(a_blimp()), all ? 3 : 1, where + "blimp ", compared);
+      both += compare(world, random, a_quick_plane(), all ? 3 : 1, where + "plane ");
+      both += compare(world, random, patient(a_blimp()), all ? 3 : 1, where + "blimp ");
     }
-  ASSERT_GE(compared.both, all ? 50 : 8);
-  EXPECT_LE(20 * compared.longer, compared.both) << "at most one in twenty is over 5 %";
+  EXPECT_GE(both, all ? 50 : 8);
+}
+
+/// Whoever crosses a ridge higher than it asks for turns the more for it: these two were 12 and 8 %
+/// longer than sampled ways.
+TEST(BothPlanners, CrossTheRidgesOfFractalGroundAboutAsLow) {
+  const std::string kind = "fractal";
+  for (const std::uint64_t seed : {10, 11}) {
+    Random random(seed, kind);
+    const world::World world = world_over(fractal(random));
+    for (int place = 0; place < 8; ++place) any_place(world, random);
+    EXPECT_EQ(compare(world, random, patient(a_blimp()), 1, kind + std::to_string(seed)), 1);
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "flyable/lower.hpp"
 #include "flyable/search.hpp"
 
 namespace skein::refiners {
@@ -150,14 +151,16 @@ class TinyLegs {
 
 }  // namespace
 
-Way flown_again(const Way& way, FlyableLegs& legs, double radius, const EndHeadings& headings) {
+Way flown_again(const Way& way, FlyableLegs& legs, const FlightLimits& limits,
+                const EndHeadings& headings, const Floor& floor) {
   Way best = way;
   for (int round = 0; round < kRounds; ++round) {
     const double length = level_length(best);
-    Places places(best, std::max(radius, length / kMostPlaces));
+    Places places(best, std::max(limits.radius, length / kMostPlaces));
     if (places.layers.size() < 2) break;
     if (headings.from) places.layers.front().stations[0].pose.heading = *headings.from;
     if (headings.to) places.layers.back().stations[0].pose.heading = *headings.to;
+    if (floor) add_lower_stations(places.layers, limits, floor);
     const FoundWay found =
         search_stations(places.layers, legs, {.most_skipped = places.layers.size()});
     if (found.way.empty() || level_length(found.way) > kWorthWhile * length) break;

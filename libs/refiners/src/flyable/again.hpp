@@ -3,6 +3,7 @@
 #pragma once
 
 #include "flyable/leg.hpp"
+#include "skein/refiners/flyable.hpp"
 
 namespace skein::refiners {
 
@@ -12,9 +13,10 @@ struct EndHeadings {
 };
 
 /// Replans the path through a subset of its own points so that it becomes shortest: drops circles
-/// whose climb is not needed, and unnecessary turns. Never longer; keeps the ends and the required
-/// headings.
-Way flown_again(const Way& way, FlyableLegs& legs, double radius, const EndHeadings& headings);
+/// whose climb is not needed, and unnecessary turns. Passes its points lower, down to the floor,
+/// where there is one. Never longer; keeps the ends and the required headings.
+Way flown_again(const Way& way, FlyableLegs& legs, const FlightLimits& limits,
+                const EndHeadings& headings, const Floor& floor);
 
 /// Removes points closer than `least` [m] to the previous one if the leg between their neighbours
 /// is free and the rest flyable; otherwise moves them apart. Keeps the ends.

@@ -18,6 +18,8 @@ using world::Vector3;
 
 constexpr std::uint64_t kMostAsked = 150'000;  // per attempt
 constexpr std::uint64_t kMostAskedAgain = 20'000;
+/// Of a pass that has more heights to choose from.
+constexpr std::uint64_t kMostAskedLower = 600'000;
 /// Ways that are longer than a straight one by more than that are flown again.
 constexpr double kNearlyStraight = 1.02;
 /// Shorter legs cannot be steered [m].
@@ -93,20 +95,27 @@ bool slopes_fit(const Way& way, const FlightLimits& limits) {
   return true;
 }
 
-/// Made shorter where it goes a long way round, and without legs that are too short to be steered.
-Way finished(const Way& found, const FlyableQuery& query, const world::VehicleModel& vehicle,
-             const FlightLimits& limits) {
+/// Made shorter with so many questions, if any, and without legs that are too short to be steered.
+Way improved(const Way& found, const FlyableQuery& query, const world::VehicleModel& vehicle,
+             std::uint64_t most_asked, const Floor& floor) {
+  const FlightLimits limits = limits_of(vehicle, query.speed, query.tolerance);
   const auto is_flown = [&](const Way& way) {
     return slopes_fit(way, limits) && is_flyable(way, vehicle, query.speed, query.tolerance);
   };
   Way way = found;
-  const double straight = (query.corners.back() - query.corners.front()).head<2>().norm();
-  if (query.shortest && level_length(way) > kNearlyStraight * straight) {
-    FlyableLegs legs(limits, query.is_free, kMostAskedAgain, {query.time_is_up});
-    Way again = flown_again(way, legs, limits.radius, {query.heading_from, query.heading_to});
+  if (most_asked > 0) {
+    FlyableLegs legs(limits, query.is_free, most_asked, {query.time_is_up});
+    Way again = flown_again(way, legs, limits, {query.heading_from, query.heading_to}, floor);
     if (is_flown(again)) way = std::move(again);
   }
   return without_tiny_legs(way, kLeastLeg, limits.radius, query.is_free, is_flown);
+}
+
+/// Made shorter where it goes a long way round.
+Way finished(const Way& found, const FlyableQuery& query, const world::VehicleModel& vehicle) {
+  const double straight = (query.corners.back() - query.corners.front()).head<2>().norm();
+  const bool is_round = query.shortest && level_length(found) > kNearlyStraight * straight;
+  return improved(found, query, vehicle, is_round ? kMostAskedAgain : 0, {});
 }
 
 /// At most what two chords of an arc that meet show.
@@ -140,7 +149,7 @@ Result<Way, Refusal> make_flyable(const FlyableQuery& query, const world::Vehicl
   // Much longer than need be: it goes round in circles between corners that stand too close.
   const double enough = 1.25 * plain_length(query.corners, limits) + 4 * limits.radius;
   if (!plain.way.empty() && level_length(plain.way) <= enough)
-    return finished(plain.way, query, vehicle, limits);
+    return finished(plain.way, query, vehicle);
 
   FlyableLegs more_legs(limits, query.is_free, kMostAsked, budget);
   const auto wide = stations_of(query, limits.radius, true);
@@ -150,7 +159,13 @@ Result<Way, Refusal> make_flyable(const FlyableQuery& query, const world::Vehicl
   }
   const bool shorter = plain.way.empty() ||
                        (!wider.way.empty() && level_length(wider.way) < level_length(plain.way));
-  return finished(shorter ? wider.way : plain.way, query, vehicle, limits);
+  return finished(shorter ? wider.way : plain.way, query, vehicle);
+}
+
+Way lowered(const Way& way, const FlyableQuery& query, const world::VehicleModel& vehicle,
+            const Floor& floor) {
+  Way lower = improved(way, query, vehicle, kMostAskedLower, floor);
+  return level_length(lower) < level_length(way) ? lower : way;
 }
 
 bool is_flyable(const Way& way, const world::VehicleModel& vehicle, double speed,

@@ -24,6 +24,8 @@ using world::Vector3;
 
 /// A way that is longer by as much than a straight one is looked for otherwise too.
 constexpr double kDetour = 1.03;
+/// So many ways are flown lower, the shortest first.
+constexpr std::size_t kLowered = 3;
 /// How far aside ways are looked for where one that cannot hover would have to go round.
 constexpr std::array<double, 8> kAside = {0.1, -0.1, 0.2, -0.2, 0.35, -0.35, 0.5, -0.5};
 
@@ -141,12 +143,14 @@ class Route {
     flyable.shortest = true;
     flyable.time_is_up = setting_.budget.time_is_up;
     std::optional<Way> best;
+    std::vector<Way> all;
     std::optional<Refusal> refusal;
     const auto attempt = [&](const Way& corners) {
       flyable.corners = corners;
       const auto flown = make_flyable(flyable, query_.vehicle);
       if (!flown && !refusal) refusal = flown.error();
       if (flown && (!best || cost(*flown) < cost(*best))) best = *flown;
+      if (flown) all.push_back(*flown);
     };
     // Where the ground leaves the straight way free, though the voxels do not.
     if (flyable.is_free(query_.from, query_.to)) attempt({query_.from, query_.to});
@@ -161,6 +165,8 @@ class Route {
       for (const double aside : kAside) attempt(sloped(bowed(aside)));
     if (const auto wide = best ? std::nullopt : roomy(); wide)
       if (const VoxelWay found = search(*wide); found.found) attempt(joined(found.way));
+    if (best && goes_round(*best, ways) && climbs_needlessly(*best))
+      best = shortest_lowered(std::move(all), flyable);
     if (best) return *best;
     if (setting_.budget.expired()) return tl::unexpected(out_of_budget("making the way flyable"));
     return tl::unexpected(*refusal);
@@ -171,6 +177,37 @@ class Route {
     double least = std::numeric_limits<double>::infinity();
     for (const Way& way : ways) least = std::min(least, length_of(joined(way)));
     return length_of(flown) > kDetour * least;
+  }
+
+  /// Longer than the straight way, and than its slopes ask for.
+  bool climbs_needlessly(const Way& flown) const {
+    const Vector3 step = query_.to - query_.from;
+    const double speed = query_.speed > 0 ? query_.speed : query_.vehicle.cruise_speed;
+    const double least = std::max({step.norm(), step.z() * speed / query_.vehicle.climb_rate,
+                                   -step.z() * speed / query_.vehicle.descent_rate});
+    return length_of(flown) > kDetour * least;
+  }
+
+  /// Of the best few ways, each as low as it can be flown: what climbs least may not be what was
+  /// shortest before.
+  Way shortest_lowered(std::vector<Way> ways, const FlyableQuery& flyable) const {
+    std::stable_sort(ways.begin(), ways.end(),
+                     [this](const Way& a, const Way& b) { return cost(a) < cost(b); });
+    const double clearance = clearance_over_ground();
+    const Floor floor = [&](const world::Vector2& at) {
+      return setting_.world.terrain.elevation(at.x(), at.y()) + clearance;
+    };
+    Way best = ways.front();
+    for (std::size_t i = 0; i < std::min(kLowered, ways.size()); ++i) {
+      Way lower = lowered(ways[i], flyable, query_.vehicle, floor);
+      if (cost(lower) < cost(best)) best = std::move(lower);
+    }
+    return best;
+  }
+
+  /// At which the ground itself leaves the air free, and a little more [m].
+  double clearance_over_ground() const {
+    return std::max(query_.clearance, 3 * space_.margin()) + 1;
   }
 
   /// By a place aside of the middle, in parts of the distance: a longer run to climb on.
@@ -186,8 +223,8 @@ class Route {
     for (const Vector3& at : way) plane.emplace_back(at.x(), at.y());
     const world::VehicleModel& vehicle = query_.vehicle;
     const double speed = query_.speed > 0 ? query_.speed : vehicle.cruise_speed;
-    const HeightRule rule{std::max(query_.clearance, 3 * space_.margin()) + 1,
-                          vehicle.climb_rate / speed, vehicle.descent_rate / speed};
+    const HeightRule rule{clearance_over_ground(), vehicle.climb_rate / speed,
+                          vehicle.descent_rate / speed};
     Deadline deadline(setting_.budget);
     Way sloped = over_ground(plane, setting_.world.terrain, rule, deadline);
     if (sloped.size() < 2) return way;

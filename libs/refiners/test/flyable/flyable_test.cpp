@@ -334,6 +334,59 @@ TEST(Flyable, FiguresThatMakeNoSenseAreRefused) {
   EXPECT_FALSE(is_flyable(good, vehicle, 0, kTolerance));
 }
 
+/// A ridge across the way, 100 m high, and what it leaves free.
+double floor_over_ridge(const Vector2& at) {
+  return std::max(0.0, 100 - std::abs(at.x() - 500) / 2) + 5;
+}
+bool is_over_ridge(const Vector3& a, const Vector3& b) {
+  for (int i = 0; i <= 20; ++i) {
+    const Vector3 at = a + (b - a) * i / 20;
+    if (at.z() < floor_over_ridge(at.head<2>()) - 5) return false;
+  }
+  return true;
+}
+
+TEST(Lowered, AWayOverARidgeClimbsNoHigherThanItHasTo) {
+  Random random(8);
+  for (int i = 0; i < 20; ++i) {
+    FlyableQuery query = query_of({{0, 0, 30}, {500, 0, random.uniform(160, 300)}, {1000, 0, 30}});
+    query.is_free = is_over_ridge;
+    query.heading_from = random.uniform(-kPi, kPi);
+    const auto high = make_flyable(query, a_blimp());
+    ASSERT_TRUE(high.has_value());
+
+    const Way low = lowered(*high, query, a_blimp(), floor_over_ridge);
+
+    expect_flyable(low, a_blimp());
+    for (std::size_t k = 1; k < low.size(); ++k) EXPECT_TRUE(is_over_ridge(low[k - 1], low[k]));
+    EXPECT_EQ(low.front(), high->front());
+    EXPECT_EQ(low.back(), high->back());
+    EXPECT_NEAR(world::wrapped(heading_of(low[0], low[1]) - *query.heading_from), 0, 0.3);
+    EXPECT_LE(level_length(low), std::min(level_length(*high), 1200.0));
+  }
+}
+
+TEST(Lowered, AWayThatNothingCouldShortenStaysAsItIs) {
+  FlyableQuery query = query_of({{0, 0, 50}, {400, 0, 50}});
+  const auto way = make_flyable(query, a_blimp());
+  ASSERT_TRUE(way.has_value());
+
+  const Way low = lowered(*way, query, a_blimp(), [](const Vector2&) { return 0.0; });
+
+  EXPECT_EQ(low, *way);
+}
+
+TEST(Lowered, NothingIsChangedOnceTheTimeIsUp) {
+  FlyableQuery query = query_of({{0, 0, 30}, {500, 0, 250}, {1000, 0, 30}});
+  const auto way = make_flyable(query, a_blimp());
+  ASSERT_TRUE(way.has_value());
+  query.time_is_up = [] { return true; };
+
+  const Way low = lowered(*way, query, a_blimp(), [](const Vector2&) { return 0.0; });
+
+  EXPECT_EQ(low, *way);
+}
+
 TEST(IsFlyable, SharpCornersAndSteepLegsAreNot) {
   const auto vehicle = a_blimp();
 

@@ -43,6 +43,16 @@ struct FlyableQuery {
 /// spec 4.2 (curvature-bounded paths).
 Result<Way, Refusal> make_flyable(const FlyableQuery& query, const world::VehicleModel& vehicle);
 
+/// Lowest height above a place at which the air is probably free [m].
+using Floor = std::function<double(const world::Vector2&)>;
+
+/// A flyable path made shorter by passing its places lower, down to the floor, so that less has to
+/// be climbed and turned; the path itself where none shorter is found. Keeps the ends and the
+/// headings that the query asks for; the query's corners do not count. For vehicles that cannot
+/// hover. Cost: at most 600,000 calls of is_free.
+Way lowered(const Way& way, const FlyableQuery& query, const world::VehicleModel& vehicle,
+            const Floor& floor);
+
 /// Whether no turn of the path is sharper than the turn radius permits, and no leg steeper than the
 /// rates; for checks. A turn may be at most that of an arc sampled with `tolerance` [m]: half the
 /// angle of each of the two chords that meet there. Always true for finite paths of a hovering
