@@ -12,6 +12,7 @@
 #include "test_cases.hpp"
 #include "testing/builders.hpp"
 #include "testing/patrol_oracle.hpp"
+#include "testing/turning_bound.hpp"
 
 namespace skein::refiners {
 namespace {
@@ -374,6 +375,29 @@ TEST(LeastMeanOfWalks, IsNotAboveTheBestOfAllClosedWalksNorFarBelowItWhereRiskIs
     EXPECT_LE(bound, best + 1e-9) << "seed " << seed;
     EXPECT_GE(bound, 0.6 * best) << "seed " << seed;
   }
+}
+
+TEST(LeastMeanOfWalks, WithTheirTurnsIsBetweenThatWithoutAndTheBestOfAllClosedWalks) {
+  for (std::uint64_t seed = 1; seed <= (skein::testing::long_tests() ? 12U : 3U); ++seed) {
+    const Site site(6, 4, 1.5, seed);
+    const WalkGraph graph = graph_of(site);
+    const WalkMeasure mean{.mean_idleness = 1, .worst_risk_idleness = 1e9, .too_long = 0};
+
+    const testing::TurningBound bound = testing::least_mean_with_turns(graph, 300);
+
+    EXPECT_LE(bound.proved, BestOfAll(graph, mean, 12).badness() + 1e-9) << "seed " << seed;
+    EXPECT_GE(bound.most, least_mean_of_walks(graph) - 1e-9) << "seed " << seed;
+    EXPECT_GE(bound.proved, 0.99 * bound.most) << "seed " << seed;
+  }
+}
+
+TEST(LeastMeanOfWalks, WithTheirTurnsIsHigherWherePeaksOfAFewPlacesAreTurnedAt) {
+  Site site(36, 36, 3, 1);
+  const world::GroundState ground = scattered_ground(36, 1, 3);
+  site.field = make_patrol_field(site.space, site.sight, site.zone, ground.risk, 0.05);
+  const WalkGraph graph = graph_of(site);
+
+  EXPECT_GT(testing::least_mean_with_turns(graph, 300).proved, 1.005 * least_mean_of_walks(graph));
 }
 
 TEST(LeastWorstOfWalks, IsThatOfARoundWhereEveryPlaceIsAlike) {
