@@ -6,6 +6,12 @@
 #include "skein/journal/lines/radio.hpp"
 
 namespace skein::spy_tool {
+namespace {
+
+/// Of a process that was taken for a node, until another may be.
+constexpr Duration kSilence = Duration::milliseconds(3'000);
+
+}  // namespace
 
 Links::Half& Links::half(std::uint32_t from, std::uint32_t to) {
   Half& half = halves_[{from, to}];
@@ -32,8 +38,24 @@ void Links::hear(const wire::Sample& sample, Duration at) {
   }
 }
 
+bool Links::is_of_second(const wire::SampleHeader& header, Duration at) {
+  const auto life = lives_.find(header.origin);
+  if (life == lives_.end()) return false;
+  if (life->second.incarnation == header.incarnation) {
+    life->second.heard = at;
+    return false;
+  }
+  return life->second.heard && at - *life->second.heard < kSilence;
+}
+
 void Links::hear_heartbeat(const wire::Heartbeat& heartbeat, Duration at) {
   const wire::SampleHeader& header = heartbeat.header;
+  if (header.destination == 0) return;  // published, so about no link
+  if (is_of_second(header, at)) return;
+  if (heartbeat.ack_incarnation != 0) {
+    Life& life = lives_[header.destination];
+    if (life.incarnation != heartbeat.ack_incarnation) life = {heartbeat.ack_incarnation, {}};
+  }
   Half& there = half(header.origin, header.destination);
   if (there.link.heartbeat) there.link.period = (at - *there.link.heartbeat).to_seconds();
   there.link.heartbeat = at;

@@ -24,8 +24,8 @@ struct Link {
 };
 
 /// Derives links from heartbeats (with their acknowledgements), the receivers' statements (slots
-/// Neighbours and UavBoard, records `reach` of the event log) and those of the simulator. A value
-/// type without a clock.
+/// Neighbours and UavBoard, records `reach` of the event log) and those of the simulator. Of two
+/// processes with one name it is the one that others acknowledge. A value type without a clock.
 class Links {
  public:
   void hear(const wire::Sample& sample, Duration at);
@@ -39,7 +39,14 @@ class Links {
     std::uint64_t sent = 0;         ///< its last event
     std::uint64_t acknowledged_incarnation = 0, acknowledged = 0;
   };
+  /// The process that is taken for a node.
+  struct Life {
+    std::uint64_t incarnation = 0;
+    std::optional<Duration> heard;
+  };
   Half& half(std::uint32_t from, std::uint32_t to);
+  /// Whether another process of its sender is taken for that, and is not silent.
+  bool is_of_second(const wire::SampleHeader& header, Duration at);
   void hear_heartbeat(const wire::Heartbeat& heartbeat, Duration at);
   void hear_record(const wire::JournalEntry& entry);
   /// Takes a sample that lists the nodes that its origin hears.
@@ -47,6 +54,7 @@ class Links {
 
   std::map<std::pair<std::uint32_t, std::uint32_t>, Half> halves_;
   std::map<std::string, std::uint32_t> numbers_;  ///< by name
+  std::map<std::uint32_t, Life> lives_;           ///< by node, as far as acknowledged by another
 };
 
 }  // namespace skein::spy_tool

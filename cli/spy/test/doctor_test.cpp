@@ -179,6 +179,29 @@ TEST_F(DoctorOfDomains, FindsMalformedSamplesWithTheirField) {
   EXPECT_THAT(bad(), HasSubstr("1 times malformed: Clock of sim: header"));
 }
 
+// In flight nobody writes a directory.
+TEST_F(DoctorOfDomains, FindsTwoProcessesOfOneNameByTheirHeartbeats) {
+  wire::Heartbeat heartbeat;
+  heartbeat.header.origin = 10;
+  for (const char* one : {"marvin", "laptop"})
+    domain().joins(one).writes(one, wire::Slot::kHeartbeat, "radio/marvin>ground");
+  domain().says("marvin", heartbeat);
+  EXPECT_EQ(bad(), "");
+  domain().says("laptop", heartbeat);
+  EXPECT_THAT(bad(), HasSubstr("participant laptop at 127.0.0.1:7411, participant marvin at "));
+}
+
+TEST_F(DoctorOfDomains, TakesNoRelayForASecondProcess) {
+  wire::Heartbeat heartbeat;
+  heartbeat.header.origin = 10;
+  for (const char* one : {"marvin", "relay"})
+    domain().joins(one).writes(one, wire::Slot::kHeartbeat, "radio/marvin>ground");
+  domain().says("marvin", heartbeat);
+  heartbeat.header.via = {11};
+  domain().says("relay", heartbeat);
+  EXPECT_EQ(bad(), "");
+}
+
 TEST_F(DoctorOfDomains, NotesNodesThatWait) {
   domain().node("marvin", 10, wire::Role::kDdn, false);
   EXPECT_THAT(notes(), HasSubstr("wait for somebody whom they have not heard: marvin"));

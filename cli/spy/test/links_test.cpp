@@ -67,6 +67,45 @@ TEST(Links, AnAcknowledgementOfAFormerLifeCountsForNothing) {
   EXPECT_FALSE(links.all()[1].waiting.has_value());
 }
 
+TEST(Links, ASecondProcessOfOneNameLeavesThemAsTheyAre) {
+  Links links;
+  wire::Heartbeat first = heartbeat(10, 1, 7), second = heartbeat(10, 1, 50);
+  first.events_to = 12;
+  first.ack_incarnation = 1;
+  wire::Heartbeat back = heartbeat(1, 10);
+  back.ack_incarnation = 7;
+  back.ack_sequence = 9;
+  for (int i = 0; i < 5; ++i) {
+    links.hear(first, at(i));
+    links.hear(back, at(i + 0.1));
+    links.hear(second, at(i + 0.5));
+  }
+  const std::vector<Link> all = links.all();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[1].waiting, 3U);
+  EXPECT_DOUBLE_EQ(*all[1].period, 1.0);
+  EXPECT_EQ(all[0].heard, true) << "the second hears nobody";
+}
+
+TEST(Links, AProcessThatWasStartedAgainIsTheNodeOnceOthersAcknowledgeIt) {
+  Links links;
+  wire::Heartbeat back = heartbeat(1, 10);
+  for (const std::uint64_t life : {7, 8}) {
+    wire::Heartbeat there = heartbeat(10, 1, life);
+    there.events_to = life;
+    back.ack_incarnation = life;
+    links.hear(back, at(0.1));
+    links.hear(there, at(0.2));
+  }
+  EXPECT_EQ(links.all()[1].waiting, 8U);
+}
+
+TEST(Links, AreNotOfHeartbeatsThatArePublished) {
+  Links links;
+  links.hear(heartbeat(10, 0), at(1));
+  EXPECT_TRUE(links.all().empty());
+}
+
 TEST(Links, AreCarriedOrNotAsTheSimulatorSays) {
   Links links;
   wire::LinkState state;

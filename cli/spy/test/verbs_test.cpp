@@ -406,11 +406,14 @@ TEST_F(Verbs, TheDoctorFindsTwoProgramsThatSayTheyAreTheSameNode) {
   wire::DirectoryEntry entry;
   entry.header.origin = 1;
   entry.name = "ground";
+  entry.process = 4711;
   domain().says("double", entry);
 
   EXPECT_EQ(run(examine), kExitNegative);
 
-  EXPECT_THAT(out_.str(), HasSubstr("BAD   nodes: 2 programs say that they are ground"));
+  EXPECT_THAT(out_.str(),
+              HasSubstr("BAD   nodes: 2 programs say that they are ground: process 4711 at "
+                        "127.0.0.1:7411, process 1001 at 127.0.0.1:7411"));
 }
 
 TEST_F(Verbs, TheDoctorFindsNothingWrongInADomainThatIsWell) {

@@ -31,8 +31,13 @@ void Consultation::hear(const Heard& heard, const Graph& graph) {
                  malformed.violation.field + ": " + malformed.violation.why];
     return;
   }
-  if (const auto* entry = std::get_if<wire::DirectoryEntry>(heard.sample()))
+  if (const auto* entry = std::get_if<wire::DirectoryEntry>(heard.sample())) {
     who_[entry->name].insert(participant);
+    processes_[participant] = entry->process;
+  } else if (const auto* beat = std::get_if<wire::Heartbeat>(heard.sample())) {
+    const wire::SampleHeader& header = beat->header;  // others pass on what has come past them
+    if (header.via.empty()) speakers_[header.origin].insert(participant);
+  }
   if (wire::slot_class(*heard.slot()) != wire::SlotClass::kStream || raw.sent == 0) return;
   const double delay = static_cast<double>(raw.heard - raw.sent) * 1e-9;
   const auto [place, fresh] = least_delay_.try_emplace(participant, delay);
@@ -91,14 +96,7 @@ void Consultation::judge_programs(const Graph& graph, Findings& findings) const 
 }
 
 void Consultation::judge_nodes(const Graph& graph, Findings& findings) const {
-  for (const auto& [name, participants] : who_) {
-    std::set<std::string> there;
-    for (const std::string& one : participants)
-      if (graph.participants().contains(one)) there.insert(one);
-    if (there.size() > 1)
-      findings.push_back({Grade::kBad, "nodes",
-                          std::to_string(there.size()) + " programs say that they are " + name});
-  }
+  judge_names(graph, findings);
   std::set<std::string> waiting;
   for (const auto& [guid, taking] : graph.participants()) {
     const auto entry = taking.node ? graph.directory().find(*taking.node) : graph.directory().end();
@@ -108,6 +106,30 @@ void Consultation::judge_nodes(const Graph& graph, Findings& findings) const {
   if (!waiting.empty())
     findings.push_back(
         {Grade::kNote, "nodes", "wait for somebody whom they have not heard: " + joined(waiting)});
+}
+
+void Consultation::judge_names(const Graph& graph, Findings& findings) const {
+  auto who = who_;
+  for (const auto& [number, participants] : speakers_)
+    who[graph.name_of(number)].insert(participants.begin(), participants.end());
+  for (const auto& [name, participants] : who) {
+    std::vector<std::string> there;
+    for (const std::string& one : participants)
+      if (const auto taking = graph.participants().find(one); taking != graph.participants().end())
+        there.push_back(describe(taking->second.participant));
+    if (there.size() < 2) continue;
+    findings.push_back({Grade::kBad, "nodes",
+                        std::to_string(there.size()) + " programs say that they are " + name +
+                            ": " + skein::joined(there, ", ")});
+  }
+}
+
+std::string Consultation::describe(const blackboard::Participant& participant) const {
+  const auto process = processes_.find(participant.guid);
+  std::string text = process == processes_.end() ? "participant " + participant.guid
+                                                 : "process " + std::to_string(process->second);
+  if (participant.addresses.empty()) return text;
+  return text + " at " + skein::joined(participant.addresses, " ");
 }
 
 void Consultation::judge_types(const Graph& graph, Findings& findings) const {
