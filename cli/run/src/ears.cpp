@@ -34,10 +34,9 @@ bool Ears::is_news(const blackboard::Incoming& incoming) {
   if (received == nullptr) return true;
   const auto* record = std::get_if<wire::JournalEntry>(&received->sample);
   if (record == nullptr) return true;
-  const Version version{record->header.incarnation, record->header.sequence_number};
-  Version& last = records_[received->origin];
-  if (version <= last) return false;
-  last = version;
+  std::uint64_t& last = records_[{received->origin, record->header.incarnation}];
+  if (record->header.sequence_number <= last) return false;
+  last = record->header.sequence_number;
   return true;
 }
 

@@ -33,7 +33,7 @@ class Ears {
   std::vector<blackboard::Incoming> listen(blackboard::Now now);
 
  private:
-  /// Not a record that was heard before; then it is the last of its node.
+  /// Not a record that was heard before; then it is the last of its process.
   bool is_news(const blackboard::Incoming& incoming);
 
   blackboard::DdsConfig config_;
@@ -41,9 +41,10 @@ class Ears {
   std::function<void()> notify_;
   std::unique_ptr<blackboard::Transport> transport_;
   std::optional<blackboard::Blackboard> board_;
-  std::vector<blackboard::Incoming> last_;                  ///< words of the participant before
-  using Version = std::pair<std::uint64_t, std::uint64_t>;  ///< incarnation, sequence
-  std::map<blackboard::NodeNumber, Version> records_;       ///< the last of each node
+  std::vector<blackboard::Incoming> last_;  ///< words of the participant before
+  /// Node and incarnation: of two processes with one name both may speak.
+  using Process = std::pair<blackboard::NodeNumber, std::uint64_t>;
+  std::map<Process, std::uint64_t> records_;  ///< sequence number of the last record
 };
 
 }  // namespace skein::run_tool

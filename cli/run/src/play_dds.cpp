@@ -18,6 +18,7 @@
 #include "skein/assembly/assembly.hpp"
 #include "skein/blackboard/domain_lease.hpp"
 #include "skein/foundation/joined.hpp"
+#include "skein/journal/lines/radio.hpp"
 #include "skein/journal/lines/run.hpp"
 #include "skein/journal/lines/truth.hpp"
 #include "skein/node/mission_clock.hpp"
@@ -153,7 +154,16 @@ class DdsRun {
   void take_all() {
     for (const auto& incoming : ears_.listen(now())) {
       if (const auto* received = std::get_if<blackboard::Received>(&incoming)) take(*received);
+      if (const auto* dropped = std::get_if<blackboard::Dropped>(&incoming)) note(*dropped);
     }
+  }
+
+  void note(const blackboard::Dropped& dropped) {
+    if (!dropped.first) return;
+    log(lines::Dropped{.slot = wire::slot_name(dropped.slot),
+                       .origin = roster_.name_of(dropped.origin),
+                       .field = dropped.field,
+                       .why = dropped.why});
   }
 
   void take(const blackboard::Received& received) {

@@ -55,7 +55,10 @@ Blackboard::Impl::Impl(Config config, Transport& transport)
       transport_(transport),
       connections_(transport, config_.channels, config_.heartbeat_period),
       losses_(config_.seed, "blackboard/losses/" + to_text(config_.self)),
+      no_session_(config_),
       sequence_(std::uint64_t{config_.life} << kBitsOfALife),
+      published_(sequence_),
+      publishers_(config_),
       incarnation_(config_.incarnation) {
   SKEIN_EXPECTS(config_.self != kEverybody);
   SKEIN_EXPECTS(config_.incarnation > 0);
@@ -80,6 +83,7 @@ Result<void, Failure> Blackboard::Impl::add_channel(std::size_t index) {
   if (channel.kind == ChannelKind::kWorld) {
     if (world_) return failure("two world channels");
     world_ = index;
+    if (channel.carries(wire::Slot::kHeartbeat)) next_published_ = Duration{};
     return {};
   }
   if (channel.to == config_.self) return {};  // found from the other direction
@@ -92,7 +96,7 @@ Result<void, Failure> Blackboard::Impl::add_channel(std::size_t index) {
   if (back == config_.channels.end()) return failure("no channel back for " + channel.partition);
   const auto incoming = static_cast<std::size_t>(back - config_.channels.begin());
   const PeerChannels channels{channel.to, channel.kind, index, incoming};
-  const auto [added, fresh] = peers_.try_emplace(channel.to, channels, config_);
+  const auto [added, fresh] = peers_.try_emplace(channel.to, channels, config_, no_session_);
   if (!fresh) return failure("two channels to node " + to_text(channel.to));
   plan(added->second);
   return {};
@@ -254,6 +258,7 @@ std::vector<Incoming> Blackboard::Impl::step(Now now) {
     peer.update(now, out_);
     serve(peer, now);
   }
+  publish_heartbeat(now);
   route(now);
   connections_.write_again();
   return std::exchange(out_, {});
@@ -290,6 +295,7 @@ std::optional<Duration> Blackboard::Impl::next_wakeup() const {
   };
   sooner(agenda_.next_due());
   sooner(connections_.next_due());
+  sooner(next_published_);
   if (forwarding_) sooner(forwarding_->next_wakeup());
   return next;
 }
@@ -346,12 +352,7 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample&& sample, Now now
     return;
   }
   latest_heard_ = std::max(latest_heard_, MissionTime::nanoseconds(header.mission_time));
-  if (world) {
-    if (freshness_.admit(slot, header) == Novelty::kNew)
-      out_.emplace_back(
-          Received{NodeNumber(header.origin), ChannelKind::kWorld, std::move(sample)});
-    return;
-  }
+  if (world) return admit_published(origin, std::move(sample), now);
   admit_from_peer(channel, *origin, std::move(sample), now);
 }
 
@@ -383,7 +384,7 @@ void Blackboard::Impl::admit_heartbeat(std::size_t channel, Peer& peer,
                                        const wire::Heartbeat& heartbeat, Now now) {
   const ChannelConfig& over = config_.channels[channel];
   compare_lives(peer, heartbeat, now);
-  const Novelty novelty = peer.lives().note(heartbeat);
+  const Novelty novelty = peer.note(heartbeat);
   if (novelty == Novelty::kReplayed)
     return note_replay(channel, wire::Slot::kHeartbeat, heartbeat.header);
   if (novelty == Novelty::kKnown) return;

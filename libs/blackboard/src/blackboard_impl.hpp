@@ -14,6 +14,7 @@
 #include "delays.hpp"
 #include "freshness.hpp"
 #include "peer.hpp"
+#include "publishers.hpp"
 #include "routing/forwarding.hpp"
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/foundation/random.hpp"
@@ -58,6 +59,8 @@ class Blackboard::Impl {
 
   void arrive(Arrival&& arrival, Now now);
   void admit(std::size_t channel, wire::Sample&& sample, Now now);
+  /// A sample of the world channel; `peer`: its origin, if that is one.
+  void admit_published(const Peer* peer, wire::Sample&& sample, Now now);
   void admit_from_peer(std::size_t channel, Peer& peer, wire::Sample&& sample, Now now);
   void admit_heartbeat(std::size_t channel, Peer& peer, const wire::Heartbeat& heartbeat, Now now);
   void admit_part(Peer& peer, const wire::Part& part, Now now);
@@ -86,6 +89,8 @@ class Blackboard::Impl {
   /// Refuses a sample that was replayed, unless it may have overtaken others on its way.
   void note_replay(std::size_t channel, wire::Slot slot, const wire::SampleHeader& header);
   std::uint64_t incarnation_for(NodeNumber to) const;
+  /// A heartbeat on the world channel, if it carries them and one is due.
+  void publish_heartbeat(Now now);
 
   // Relaying (blackboard_relaying.cpp).
 
@@ -112,12 +117,16 @@ class Blackboard::Impl {
   Transport& transport_;
   Connections connections_;
   Random losses_;
+  Peer::Session no_session_;  ///< with whom nothing has passed yet
   Peers peers_;
   std::vector<Peer*> senders_;  ///< by channel; null where there is no peer
   Agenda agenda_;               ///< of the peers
   std::vector<Peer*> heard_;    ///< heard since the last step began; may contain duplicates
   std::optional<std::size_t> world_;
-  std::uint64_t sequence_;  ///< of states, streams and world events
+  std::uint64_t sequence_;                  ///< of states, streams and world events
+  std::optional<Duration> next_published_;  ///< heartbeat; none: the world channel carries none
+  std::uint64_t published_;                 ///< sequence number of the last one
+  Publishers publishers_;
   Freshness freshness_;
   Delays delayed_;
   Tally<DropKey> drops_{256};  ///< bounds the log lines about malformed samples

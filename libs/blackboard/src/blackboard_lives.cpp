@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which life of this node its peers take it for, where it can only guess; two processes with the
-// number of one node.
+// number of one node, also on the world channel.
 #include <algorithm>
 #include <limits>
 
@@ -42,6 +42,31 @@ void Blackboard::Impl::return_to_first(Peer& peer, const wire::SampleHeader& hea
   refuse(wire::Slot::kHeartbeat, header, kOfSecond);
   freshness_.return_to(header.origin, peer.incarnation());
   if (forwarding_) forwarding_->forget(peer.channels().number);
+}
+
+// What a peer publishes says nothing about the radio.
+void Blackboard::Impl::admit_published(const Peer* peer, wire::Sample&& sample, Now now) {
+  const wire::SampleHeader header = wire::header_of(sample);
+  const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample);
+  if (peer != nullptr) {
+    const bool is_new =
+        heartbeat == nullptr && freshness_.admit(wire::slot_of(sample), header) == Novelty::kNew;
+    if (is_new)
+      out_.emplace_back(
+          Received{NodeNumber(header.origin), ChannelKind::kWorld, std::move(sample)});
+    return;
+  }
+  const auto refused = heartbeat != nullptr ? publishers_.hear(*heartbeat, now.steady, out_)
+                                            : publishers_.take(std::move(sample), now.steady, out_);
+  if (refused) refuse(wire::Slot::kHeartbeat, header, *refused);
+}
+
+void Blackboard::Impl::publish_heartbeat(Now now) {
+  if (!next_published_ || now.steady < *next_published_) return;
+  next_published_ = now.steady + kPublishedHeartbeat;
+  wire::Heartbeat heartbeat;
+  stamp(heartbeat.header, kEverybody, ++published_, now);
+  write(*world_, heartbeat);
 }
 
 // With relays a sample may be overtaken by others that go another way.

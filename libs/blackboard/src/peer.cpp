@@ -38,14 +38,14 @@ std::optional<Duration> sooner(std::optional<Duration> a, std::optional<Duration
 
 }  // namespace
 
-Peer::Peer(PeerChannels channels, const Config& config)
-    : channels_(channels),
-      config_(&config),
-      period_(config.heartbeat_period),
-      outgoing_(config.held_events, config.retransmission),
-      parts_out_(config.retransmission),
-      lives_(config) {
+Peer::Peer(PeerChannels channels, const Config& config, const Session& none)
+    : channels_(channels), config_(&config), none_(&none), period_(config.heartbeat_period) {
   limit(config.channels[channels.outgoing].capacity, {});
+}
+
+Peer::Session& Peer::session() {
+  if (!session_) session_ = std::make_unique<Session>(*config_);
+  return *session_;
 }
 
 void Peer::limit(double capacity, Duration now) {
@@ -84,7 +84,7 @@ Duration Peer::acknowledgement_delay() const {
 }
 
 void Peer::owe_acknowledgement(Duration now) {
-  if (!lives_.present().incoming.owes_acknowledgement() || acknowledge_at_) return;
+  if (!session().lives.present().incoming.owes_acknowledgement() || acknowledge_at_) return;
   acknowledge_at_ = now + acknowledgement_delay();
 }
 
@@ -92,9 +92,10 @@ void Peer::set_way(std::size_t relays, bool heard_of, bool anew, Now now) {
   relays_ = relays;
   heard_of_ = heard_of;
   if (!anew) return;
-  outgoing_.resend();
-  parts_out_.resend();
   next_heartbeat_ = now.steady;
+  if (!session_) return;
+  session_->outgoing.resend();
+  session_->parts_out.resend();
 }
 
 // Who is heard by somebody is only waited for while the way past that one opens.
@@ -105,44 +106,46 @@ Duration Peer::silence_limit() const {
 
 Novelty Peer::on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
                        std::vector<Incoming>& out) {
-  Life* life = lives_.with(header.incarnation, reachable_, now.steady);
+  Lives& lives = session().lives;
+  Life* life = lives.with(header.incarnation, reachable_, now.steady);
   if (life == nullptr || is_refused_) return Novelty::kKnown;
   const Novelty novelty = life->incoming.on_event(header, std::move(event));
-  if (life != &lives_.present()) return novelty;
-  lives_.present().incoming.deliver(channels_.kind, now.mission, out);
+  if (life != &lives.present()) return novelty;
+  lives.present().incoming.deliver(channels_.kind, now.mission, out);
   owe_acknowledgement(now.steady);
   return novelty;
 }
 
 void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out) {
   const std::uint64_t incarnation = heartbeat.header.incarnation;
+  auto& [outgoing, parts_out, lives] = session();
   const bool is_former_again =
-      lives_.is_former(incarnation) && lives_.former_goes_on(silence_limit(), now.steady);
-  if (incarnation < lives_.present().incarnation) return;
-  lives_.forget_silent_rival(silence_limit(), now.steady);
-  const bool is_another = incarnation > lives_.present().incarnation;
-  const bool restarted = (is_another && lives_.present().incarnation != 0) || is_former_again;
+      lives.is_former(incarnation) && lives.former_goes_on(silence_limit(), now.steady);
+  if (incarnation < lives.present().incarnation) return;
+  lives.forget_silent_rival(silence_limit(), now.steady);
+  const bool is_another = incarnation > lives.present().incarnation;
+  const bool restarted = (is_another && lives.present().incarnation != 0) || is_former_again;
   if (is_another) {
-    lives_.follow(incarnation, reachable_, now.steady);
-    lives_.present().newest_heartbeat = heartbeat.header.sequence_number;
+    lives.follow(incarnation, reachable_, now.steady);
+    lives.present().newest_heartbeat = heartbeat.header.sequence_number;
   }
   if (restarted) rival_turns_ = 0;
   heard_latest_ = true;
   take_acknowledgement(heartbeat, out);
   if (!reachable_ || restarted) {
     out.emplace_back(Reachability{channels_.number, true, restarted});
-    outgoing_.resend();
-    parts_out_.resend();
+    outgoing.resend();
+    parts_out.resend();
     next_heartbeat_ = now.steady;
-    lives_.present().incoming.begin_contact();
+    lives.present().incoming.begin_contact();
   }
   reachable_ = true;
-  outgoing_.set_contact(true);
-  parts_out_.set_contact(true);
+  outgoing.set_contact(true);
+  parts_out.set_contact(true);
   recalled_ = false;
-  lives_.present().last_heard = now.steady;
-  lives_.present().incoming.on_heartbeat(heartbeat, out);
-  lives_.present().incoming.deliver(channels_.kind, now.mission, out);
+  lives.present().last_heard = now.steady;
+  lives.present().incoming.on_heartbeat(heartbeat, out);
+  lives.present().incoming.deliver(channels_.kind, now.mission, out);
   owe_acknowledgement(now.steady);
 }
 
@@ -150,11 +153,11 @@ void Peer::take_acknowledgement(const wire::Heartbeat& heartbeat, std::vector<In
   const std::uint64_t heard = heartbeat.ack_incarnation;
   const bool is_heard = heard == self_incarnation();
   if (is_heard) {
-    for (const std::uint64_t receipt : outgoing_.acknowledge(heartbeat.ack_sequence)) {
+    for (const std::uint64_t receipt : session().outgoing.acknowledge(heartbeat.ack_sequence)) {
       out.emplace_back(EventDelivered{channels_.number, receipt});
     }
   }
-  if (is_heard && !is_heard_ && was_heard_) outgoing_.resend();
+  if (is_heard && !is_heard_ && was_heard_) session().outgoing.resend();
   is_heard_ = is_heard;
   was_heard_ = was_heard_ || is_heard;
   const bool is_refused = was_heard_ && heard != 0 && heard < self_incarnation();
@@ -168,77 +171,80 @@ void Peer::on_old_heartbeat() {
 }
 
 void Peer::become(std::uint64_t incarnation, Duration now) {
-  outgoing_.become(incarnation);
-  parts_out_.become(incarnation);
-  lives_.become(incarnation);
+  session().outgoing.become(incarnation);
+  session().parts_out.become(incarnation);
+  session().lives.become(incarnation);
   next_heartbeat_ = now;
 }
 
 void Peer::recall_sent(wire::Sample event, std::uint64_t receipt) {
   if (wire::header_of(event).sequence_number >= kFirstLongEvent) {
-    parts_out_.hold(event, receipt);
+    session().parts_out.hold(event, receipt);
   } else {
-    outgoing_.recall(std::move(event), receipt);
+    session().outgoing.recall(std::move(event), receipt);
   }
   recalled_ = true;
 }
 
 void Peer::recall_acknowledged(std::uint64_t number) {
-  if (number >= kFirstLongEvent) return parts_out_.recall_acknowledged(number);
-  outgoing_.acknowledge(number);
+  if (number >= kFirstLongEvent) return session().parts_out.recall_acknowledged(number);
+  session().outgoing.acknowledge(number);
 }
 
 void Peer::recall_given_up(std::uint64_t number) {
-  if (number >= kFirstLongEvent) return parts_out_.give_up(number);
-  outgoing_.give_up(number);
+  if (number >= kFirstLongEvent) return session().parts_out.give_up(number);
+  session().outgoing.give_up(number);
 }
 
 bool Peer::has_room_for(const wire::Sample& event) const {
-  return is_long(event) ? !parts_out_.full() : !outgoing_.full();
+  return is_long(event) ? !known().parts_out.full() : !known().outgoing.full();
 }
 
 std::uint64_t Peer::next_number(const wire::Sample& event) const {
-  return is_long(event) ? parts_out_.next_number() : outgoing_.next_sequence();
+  return is_long(event) ? known().parts_out.next_number() : known().outgoing.next_sequence();
 }
 
 void Peer::hold(wire::Sample event, std::uint64_t receipt) {
   if (wire::header_of(event).sequence_number >= kFirstLongEvent)
-    return parts_out_.hold(event, receipt);
-  outgoing_.hold(std::move(event), receipt);
+    return session().parts_out.hold(event, receipt);
+  session().outgoing.hold(std::move(event), receipt);
 }
 
 void Peer::recall_received(const wire::SampleHeader& header) {
-  lives_.present().incarnation = std::max(lives_.present().incarnation, header.incarnation);
+  Life& life = session().lives.present();
+  life.incarnation = std::max(life.incarnation, header.incarnation);
   if (header.sequence_number >= kFirstLongEvent)
-    return lives_.present().parts.recall(header.incarnation, header.sequence_number);
-  lives_.present().incoming.recall(header);
+    return life.parts.recall(header.incarnation, header.sequence_number);
+  life.incoming.recall(header);
 }
 
 void Peer::recall_reachable(bool reachable) {
   reachable_ = reachable;
-  outgoing_.set_contact(reachable);
-  parts_out_.set_contact(reachable);
+  session().outgoing.set_contact(reachable);
+  session().parts_out.set_contact(reachable);
   recalled_ = true;
 }
 
 // The silence of a peer that was in reach is counted from the first update of this life.
 void Peer::update(Now now, std::vector<Incoming>& out) {
-  if (recalled_ && lives_.present().last_heard == Duration{})
-    lives_.present().last_heard = now.steady;
-  if (reachable_ && now.steady - lives_.present().last_heard >= silence_limit()) {
+  if (!session_) return;
+  auto& [outgoing, parts_out, lives] = *session_;
+  Life& life = lives.present();
+  if (recalled_ && life.last_heard == Duration{}) life.last_heard = now.steady;
+  if (reachable_ && now.steady - life.last_heard >= silence_limit()) {
     reachable_ = false;
-    outgoing_.set_contact(false);
-    parts_out_.set_contact(false);
+    outgoing.set_contact(false);
+    parts_out.set_contact(false);
     out.emplace_back(Reachability{channels_.number, false, false});
   }
   if (recalled_) return;  // what it has acknowledged is not known before it is heard
-  for (const EventExpired& expired : outgoing_.expire(now.mission)) out.emplace_back(expired);
-  for (const EventExpired& expired : parts_out_.expire(now.mission)) out.emplace_back(expired);
+  for (const EventExpired& expired : outgoing.expire(now.mission)) out.emplace_back(expired);
+  for (const EventExpired& expired : parts_out.expire(now.mission)) out.emplace_back(expired);
 }
 
 std::vector<const wire::Sample*> Peer::take_due_events(Now now) {
-  if (!can_send() || recalled_) return {};
-  return outgoing_.take_due(now, round_trip());
+  if (!can_send() || recalled_ || !session_) return {};
+  return session_->outgoing.take_due(now, round_trip());
 }
 
 bool Peer::heartbeat_due(Duration steady) const {
@@ -249,13 +255,14 @@ bool Peer::heartbeat_due(Duration steady) const {
 wire::Heartbeat Peer::take_heartbeat(Duration steady) {
   next_heartbeat_ = steady + between_heartbeats(period_);
   acknowledge_at_.reset();
-  lives_.present().incoming.acknowledged();
+  if (session_) session_->lives.present().incoming.acknowledged();
+  const auto& [outgoing, parts_out, lives] = known();
   wire::Heartbeat heartbeat;
-  heartbeat.events_from = outgoing_.oldest();
-  heartbeat.events_to = outgoing_.next_sequence() - 1;
-  heartbeat.ack_incarnation = reachable_ || heard_old_ ? lives_.present().incarnation : 0;
+  heartbeat.events_from = outgoing.oldest();
+  heartbeat.events_to = outgoing.next_sequence() - 1;
+  heartbeat.ack_incarnation = reachable_ || heard_old_ ? lives.present().incarnation : 0;
   heard_old_ = false;
-  heartbeat.ack_sequence = reachable_ ? lives_.present().incoming.ack_sequence() : 0;
+  heartbeat.ack_sequence = reachable_ ? lives.present().incoming.ack_sequence() : 0;
   return heartbeat;
 }
 
@@ -278,35 +285,37 @@ std::uint32_t Peer::bytes_of_a_part() const {
 
 std::optional<std::variant<wire::Sample, Malformed>> Peer::on_part(const wire::Part& part, Now now,
                                                                    std::vector<Incoming>& out) {
-  if (is_refused_ || (reachable_ && part.header.incarnation != lives_.present().incarnation))
+  Life& life = session().lives.present();
+  if (is_refused_ || (reachable_ && part.header.incarnation != life.incarnation))
     return std::nullopt;
   if (part.ack_incarnation == self_incarnation()) {
-    for (const std::uint64_t receipt : parts_out_.heard(part.ack_number, part.ack_bytes))
+    for (const std::uint64_t receipt : session().parts_out.heard(part.ack_number, part.ack_bytes))
       out.emplace_back(EventDelivered{channels_.number, receipt});
   }
   if (part.number == 0) return std::nullopt;
-  auto event = lives_.present().parts.take(part);
-  if (lives_.present().parts.owes() && !acknowledge_parts_at_)
+  auto event = life.parts.take(part);
+  if (life.parts.owes() && !acknowledge_parts_at_)
     acknowledge_parts_at_ = now.steady + acknowledgement_delay();
   return event;
 }
 
 std::optional<wire::Part> Peer::due_part(Now now) const {
   std::optional<wire::Part> part;
-  if (sends_parts()) part = parts_out_.next(now.steady, bytes_of_a_part(), round_trip());
+  if (sends_parts()) part = known().parts_out.next(now.steady, bytes_of_a_part(), round_trip());
   const bool owes = can_send() && acknowledge_parts_at_ && now.steady >= *acknowledge_parts_at_;
   if (!part && !owes) return std::nullopt;
   if (!part) part.emplace();
-  part->ack_incarnation = lives_.present().parts.ack_incarnation();
-  part->ack_number = lives_.present().parts.ack_number();
-  part->ack_bytes = lives_.present().parts.ack_bytes();
+  const IncomingParts& incoming = known().lives.present().parts;
+  part->ack_incarnation = incoming.ack_incarnation();
+  part->ack_number = incoming.ack_number();
+  part->ack_bytes = incoming.ack_bytes();
   return part;
 }
 
 void Peer::part_written(const wire::Part& part, Duration until) {
-  lives_.present().parts.told();
+  session().lives.present().parts.told();
   acknowledge_parts_at_.reset();
-  if (part.number != 0) parts_out_.written(part, until);
+  if (part.number != 0) session().parts_out.written(part, until);
 }
 
 std::optional<wire::Part> Peer::take_part(Now now) {
@@ -318,7 +327,7 @@ std::optional<wire::Part> Peer::take_part(Now now) {
 std::optional<wire::Sample> Peer::take_next(Now now) {
   if (!limited_ || !out_condition_.up) return std::nullopt;
   const bool has_own = !recalled_ && relays_ == 0;
-  const wire::Sample* own = has_own ? outgoing_.first_due(now, round_trip()) : nullptr;
+  const wire::Sample* own = has_own ? known().outgoing.first_due(now, round_trip()) : nullptr;
   const wire::Sample* passing = limited_->first_passing();
   const bool passes = passing != nullptr && (own == nullptr || turn_of_passing_);
   const wire::Sample* event = passes ? passing : own;
@@ -340,18 +349,19 @@ std::optional<wire::Sample> Peer::take_next(Now now) {
   turn_of_passing_ = !passes;
   if (passes) return limited_->take_passing();
   wire::Sample written = *event;
-  outgoing_.written(written, until);
+  session().outgoing.written(written, until);
   return written;
 }
 
 std::optional<Duration> Peer::next_wakeup() const {
   std::optional<Duration> silent;
-  if (reachable_) silent = lives_.present().last_heard + silence_limit();
+  if (reachable_) silent = known().lives.present().last_heard + silence_limit();
   if (!can_send()) return silent;
   auto write = sooner(next_heartbeat_, acknowledge_at_);
-  if (!recalled_) write = sooner(write, outgoing_.next_due(round_trip()));
+  if (!recalled_) write = sooner(write, known().outgoing.next_due(round_trip()));
   write = sooner(write, acknowledge_parts_at_);
-  if (sends_parts()) write = sooner(write, parts_out_.next_due(bytes_of_a_part(), round_trip()));
+  if (sends_parts())
+    write = sooner(write, known().parts_out.next_due(bytes_of_a_part(), round_trip()));
   if (limited_ && out_condition_.up) {
     if (limited_->has_any()) write = limited_->free_at();
     write = std::max(*write, limited_->free_at());

@@ -32,31 +32,44 @@ struct PeerChannels {
 /// incarnation of it) is first heard, so that its session opens without delay; and soon after
 /// events have arrived, as their acknowledgement. A heartbeat names the incarnation of the peer
 /// that is heard, or none while the peer is silent, so that both notice a link that works in one
-/// direction only. Source: spec 1.3 (reachability, class event).
+/// direction only. A peer that has neither been heard nor been sent an event has no session yet:
+/// in a large team most are never in reach. Source: spec 1.3 (reachability, class event).
 class Peer {
  public:
-  /// The configuration outlives the peer.
-  Peer(PeerChannels channels, const Config& config);
+  /// What has passed between this node and the peer.
+  struct Session {
+    explicit Session(const Config& config)
+        : outgoing(config.held_events, config.retransmission),
+          parts_out(config.retransmission),
+          lives(config) {}
+    OutgoingEvents outgoing;
+    OutgoingParts parts_out;
+    Lives lives;
+  };
+  /// The configuration and `none`, a session without content, outlive the peer.
+  Peer(PeerChannels channels, const Config& config, const Session& none);
 
   const PeerChannels& channels() const { return channels_; }
   bool reachable() const { return reachable_; }
   /// The incarnation that is taken for the peer: the greatest heard, or a smaller one that goes on
   /// beside it (see Rival); 0: none.
-  std::uint64_t incarnation() const { return lives_.present().incarnation; }
+  std::uint64_t incarnation() const { return known().lives.present().incarnation; }
   /// The incarnation of this node towards the peer.
-  std::uint64_t self_incarnation() const { return lives_.self_incarnation(); }
+  std::uint64_t self_incarnation() const { return known().lives.self_incarnation(); }
   /// Whether the peer has heard this node at some time of this life.
   bool was_heard() const { return was_heard_; }
   /// Towards the peer, which never heard this node, it has this incarnation from now on.
   void become(std::uint64_t incarnation, Duration now);
-  Lives& lives() { return lives_; }
+  const Lives& lives() const { return known().lives; }
+  /// Notes a heartbeat of the peer; see Lives.
+  Novelty note(const wire::Heartbeat& heartbeat) { return session().lives.note(heartbeat); }
   /// A heartbeat of an older incarnation of the peer arrived. While the latest one is silent, the
   /// sender is told of it, since it may be a new life with too small a number.
   void on_old_heartbeat();
   /// Whether the peer and an older incarnation were repeatedly heard by turns: both are alive.
   bool has_older_rival() const { return rival_turns_ >= kRivalTurns; }
-  const OutgoingEvents& outgoing() const { return outgoing_; }
-  const OutgoingParts& outgoing_parts() const { return parts_out_; }
+  const OutgoingEvents& outgoing() const { return known().outgoing; }
+  const OutgoingParts& outgoing_parts() const { return known().parts_out; }
   /// Whether the event is sent in parts; the same in every life.
   bool is_long(const wire::Sample& event) const;
   /// Whether there is room to hold the event until it is acknowledged.
@@ -81,14 +94,14 @@ class Peer {
   /// It said something new in that life, with nobody in between: as long as there is contact, that
   /// goes on as with a heartbeat.
   void on_sign_of_life(std::uint64_t incarnation, Duration steady) {
-    Life& life = lives_.present();
-    if (reachable_ && incarnation == life.incarnation) life.last_heard = steady;
+    if (reachable_ && incarnation == this->incarnation())
+      session().lives.present().last_heard = steady;
   }
   /// Whether samples of this incarnation are refused, because an earlier one is heard: then a
   /// second process with the peer's number says them. Notes that it does.
   bool refuses(std::uint64_t incarnation, Duration steady) {
-    if (!reachable_ || !lives_.was_refused(incarnation)) return false;
-    lives_.refused(steady);
+    if (!reachable_ || !lives().was_refused(incarnation)) return false;
+    session().lives.refused(steady);
     return true;
   }
   void on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out);
@@ -97,7 +110,9 @@ class Peer {
   std::optional<std::variant<wire::Sample, Malformed>> on_part(const wire::Part& part, Now now,
                                                                std::vector<Incoming>& out);
   /// All delivered events count as handled.
-  void commit() { lives_.commit(); }
+  void commit() {
+    if (session_) session_->lives.commit();
+  }
   /// Detects the loss of contact and the expiry of events.
   void update(Now now, std::vector<Incoming>& out);
 
@@ -120,7 +135,8 @@ class Peer {
   std::optional<wire::Part> take_part(Now now);
   /// The earliest expiry of the events held.
   std::optional<MissionTime> first_expiry() const {
-    return recalled_ ? std::nullopt : earliest(outgoing_.first_expiry(), parts_out_.first_expiry());
+    return recalled_ ? std::nullopt
+                     : earliest(outgoing().first_expiry(), outgoing_parts().first_expiry());
   }
   /// Steady time when something is next due; none if only arrivals can change that.
   std::optional<Duration> next_wakeup() const;
@@ -129,6 +145,10 @@ class Peer {
   /// After one, an old heartbeat may only be late.
   static constexpr int kRivalTurns = 3;
 
+  /// The session as it is, or one without content.
+  const Session& known() const { return session_ ? *session_ : *none_; }
+  /// The session, which begins now if there is none.
+  Session& session();
   /// Delay of channels and acknowledgements, to be added to time-outs.
   Duration round_trip() const;
   Duration acknowledgement_delay() const;
@@ -148,13 +168,12 @@ class Peer {
 
   PeerChannels channels_;
   const Config* config_;
+  const Session* none_;
+  std::unique_ptr<Session> session_;
   std::unique_ptr<LimitedChannel> limited_;
   Duration period_;
   ChannelCondition out_condition_;
   ChannelCondition in_condition_;
-  OutgoingEvents outgoing_;
-  OutgoingParts parts_out_;
-  Lives lives_;
   std::size_t relays_ = 0;
   bool heard_of_ = false;
   bool turn_of_passing_ = false;

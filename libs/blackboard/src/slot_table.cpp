@@ -15,10 +15,12 @@ std::vector<wire::Slot> slots_that(const Wanted& wanted) {
   std::vector<wire::Slot> slots;
   for (std::size_t i = 0; i < wire::kSlotCount; ++i) {
     const auto slot = static_cast<wire::Slot>(i);
-    if (slot != wire::Slot::kHeartbeat && wanted(i)) slots.push_back(slot);
+    if (wanted(i)) slots.push_back(slot);
   }
   return slots;
 }
+
+constexpr auto kHeartbeat = static_cast<std::size_t>(wire::Slot::kHeartbeat);
 
 }  // namespace
 
@@ -34,11 +36,14 @@ const SlotTable& SlotTable::shipped() {
 }
 
 std::vector<wire::Slot> SlotTable::between(Party from, Party to) const {
-  return slots_that([&](std::size_t i) { return flows_[i].contains({from, to}); });
+  const bool is_world = from == Party::kWorld || to == Party::kWorld;
+  return slots_that([&](std::size_t i) {
+    return flows_[i].contains({from, to}) && (is_world || i != kHeartbeat);
+  });
 }
 
 std::vector<wire::Slot> SlotTable::relayed() const {
-  return slots_that([&](std::size_t i) { return relayed_[i]; });
+  return slots_that([&](std::size_t i) { return relayed_[i] && i != kHeartbeat; });
 }
 
 std::vector<wire::Slot> SlotTable::of_world() const {

@@ -119,6 +119,22 @@ TEST(Roster, NobodyButTheRunnerReadsTheEventLog) {
   EXPECT_EQ(std::count(reads.begin(), reads.end(), wire::Slot::kJournalEntry), 1);
 }
 
+// By them it knows which of two processes with one name is the node; peers know it by others.
+TEST(Roster, WhoHearsNodesOverTheWorldChannelOnlyReadsTheirHeartbeatsThere) {
+  const Roster roster({"marvin"});
+  const auto reads_heartbeats = [&](wire::Role role) {
+    const auto reads = roster.world_reads_of(role);
+    return std::count(reads.begin(), reads.end(), wire::Slot::kHeartbeat) > 0;
+  };
+  for (const auto role : {wire::Role::kRunner, wire::Role::kOperator, wire::Role::kGround,
+                          wire::Role::kSim, wire::Role::kFunctional})
+    EXPECT_TRUE(reads_heartbeats(role)) << name_of(role);
+  EXPECT_FALSE(reads_heartbeats(wire::Role::kDdn));
+  for (const char* name : {"ground", "sim", "marvin"})
+    EXPECT_TRUE(roster.channels_of(*roster.find(name)).front().carries(wire::Slot::kHeartbeat))
+        << name;
+}
+
 TEST(Roster, ATableOfItsOwnDecidesWhatChannelsCarry) {
   auto table = blackboard::read_slot_table(
       "slots: {Alarm: {flows: [uav>ground]}, Truth: {flows: [sim>world]}}", "mine.yaml",

@@ -30,11 +30,25 @@ std::optional<std::array<NodeNumber, 2>> pair_of(ChannelKind kind, const wire::S
 
 }  // namespace
 
+void MemoryHub::Partition::read(const End& reader, bool by_pattern) {
+  readers.push_back(reader);
+  const MemoryTransport::Channel& channel = MemoryTransport::at(reader);
+  if (channel.kind != ChannelKind::kWorld) return;
+  if (!world) world = std::make_unique<WorldReaders>();
+  if (by_pattern) {
+    world->listeners.push_back(reader);
+  } else {
+    world->of_nodes[reader.node->self_].push_back(reader);
+  }
+  for (std::size_t i = 0; i < wire::kSlotCount; ++i)
+    if (channel.read_slots.test(i)) world->of_slots[static_cast<wire::Slot>(i)].push_back(reader);
+}
+
 MemoryHub::Partition& MemoryHub::partition(const std::string& name) {
   const auto [found, is_new] = partitions_.try_emplace(name);
   if (is_new) {
     for (const auto& [pattern, reader] : pattern_readers_)
-      if (partitions_match(name, pattern)) found->second.listen(reader);
+      if (partitions_match(name, pattern)) found->second.read(reader, true);
   }
   return found->second;
 }
@@ -43,13 +57,11 @@ void MemoryHub::join(const End& end, const std::string& name, bool writes, bool 
   if (!is_pattern(name)) {
     Partition& joined = partition(name);
     if (writes) joined.writers.push_back(end);
-    if (!reads) return;
-    joined.readers.push_back(end);
-    joined.of_nodes[end.node->self_].push_back(end);
+    if (reads) joined.read(end, false);
   } else if (reads) {
     pattern_readers_.emplace_back(name, end);
     for (auto& [other, joined] : partitions_)
-      if (partitions_match(other, name)) joined.listen(end);
+      if (partitions_match(other, name)) joined.read(end, true);
   }
 }
 
@@ -58,11 +70,13 @@ void MemoryHub::leave(const MemoryTransport& node) {
   const auto leave_it = [&](Partition& left) {
     std::erase_if(left.writers, is_of_node);
     std::erase_if(left.readers, is_of_node);
-    std::erase_if(left.listeners, is_of_node);
-    const auto named = left.of_nodes.find(node.self_);
-    if (named != left.of_nodes.end() && std::erase_if(named->second, is_of_node) > 0 &&
+    if (!left.world) return;
+    std::erase_if(left.world->listeners, is_of_node);
+    for (auto& [slot, readers] : left.world->of_slots) std::erase_if(readers, is_of_node);
+    const auto named = left.world->of_nodes.find(node.self_);
+    if (named != left.world->of_nodes.end() && std::erase_if(named->second, is_of_node) > 0 &&
         named->second.empty())
-      left.of_nodes.erase(named);
+      left.world->of_nodes.erase(named);
   };
   for (const MemoryTransport::Channel& channel : node.channels_)
     if (channel.partition != nullptr) leave_it(*channel.partition);
@@ -101,6 +115,29 @@ void MemoryHub::carry(NodeNumber from, NodeNumber to, bool carried) {
 bool MemoryHub::carries(const MemoryTransport& from, const MemoryTransport& to) const {
   return silenced_.empty() || !silenced_.contains({from.self_, to.self_});
 }
+
+class MemoryTransport::Boxed {
+ public:
+  static std::unique_ptr<Boxed> of(const wire::Sample& sample);
+  virtual ~Boxed() = default;
+  virtual wire::Sample sample() const = 0;
+};
+
+std::unique_ptr<MemoryTransport::Boxed> MemoryTransport::Boxed::of(const wire::Sample& sample) {
+  return std::visit(
+      [](const auto& content) -> std::unique_ptr<Boxed> {
+        using Content = std::decay_t<decltype(content)>;
+        struct Box final : Boxed {
+          explicit Box(Content it) : content(std::move(it)) {}
+          wire::Sample sample() const override { return content; }
+          Content content;
+        };
+        return std::make_unique<Box>(content);
+      },
+      sample);
+}
+
+MemoryTransport::MemoryTransport(MemoryHub& hub) : hub_(hub) {}
 
 MemoryTransport::~MemoryTransport() { hub_.leave(*this); }
 
@@ -159,13 +196,17 @@ bool MemoryTransport::write(std::size_t channel, const wire::Sample& sample) {
   remember(writer, sample);
   if (!writer.up) return true;
   const MemoryHub::Partition& partition = *writer.partition;
-  if (const auto pair = pair_of(writer.kind, sample)) {
-    for (const NodeNumber node : *pair)
-      if (const auto found = partition.of_nodes.find(node); found != partition.of_nodes.end())
-        put_to(found->second, channel, sample);
-    put_to(partition.listeners, channel, sample);
-  } else {
+  if (!partition.world) {
     put_to(partition.readers, channel, sample);
+  } else if (const auto pair = pair_of(writer.kind, sample)) {
+    const auto& of_nodes = partition.world->of_nodes;
+    for (const NodeNumber node : *pair)
+      if (const auto found = of_nodes.find(node); found != of_nodes.end())
+        put_to(found->second, channel, sample);
+    put_to(partition.world->listeners, channel, sample);
+  } else {
+    const auto readers = partition.world->of_slots.find(wire::slot_of(sample));
+    if (readers != partition.world->of_slots.end()) put_to(readers->second, channel, sample);
   }
   return true;
 }
@@ -180,31 +221,28 @@ void MemoryTransport::put_to(const std::vector<MemoryHub::End>& readers, std::si
   }
 }
 
-void MemoryTransport::remember(Channel& channel, const wire::Sample& sample) const {
-  const wire::Slot slot = wire::slot_of(sample);
-  if (wire::slot_class(slot) == wire::SlotClass::kStream) return;
+void MemoryTransport::remember(Channel& channel, const wire::Sample& sample) {
+  const wire::SlotClass kind = wire::slot_class(wire::slot_of(sample));
+  if (kind == wire::SlotClass::kStream) return;
   if (!channel.kept) channel.kept = std::make_unique<Kept>();
+  if (kind == wire::SlotClass::kState) return remember_state(channel, sample);
+  const bool world = channel.kind == ChannelKind::kWorld;
+  std::list<wire::Sample>& events = channel.kept->events;
+  events.push_back(sample);
+  if (events.size() > (world ? kWorldEventDepth : kEventDepth)) events.pop_front();
+}
+
+void MemoryTransport::remember_state(Channel& channel, const wire::Sample& sample) {
   Kept& keeps = *channel.kept;
-  switch (wire::slot_class(slot)) {
-    case wire::SlotClass::kState: {
-      const wire::SampleHeader& header = wire::header_of(sample);
-      const StateKey key{slot, header.origin, header.destination, header.instance};
-      const auto pair = pair_of(channel.kind, sample);
-      if (!pair) return void(keeps.states.insert_or_assign(key, sample));
-      const auto& link = std::get<wire::LinkState>(sample);
-      const auto kept = keeps.links.insert_or_assign(key, link).first;
-      for (const NodeNumber node : *pair) keeps.links_of[node].emplace(key, &kept->second);
-      return;
-    }
-    case wire::SlotClass::kEvent: {
-      const bool world = channel.kind == ChannelKind::kWorld;
-      keeps.events.push_back(sample);
-      if (keeps.events.size() > (world ? kWorldEventDepth : kEventDepth)) keeps.events.pop_front();
-      return;
-    }
-    case wire::SlotClass::kStream:
-      return;
-  }
+  const wire::SampleHeader& header = wire::header_of(sample);
+  const StateKey key{wire::slot_of(sample), header.origin, header.destination, header.instance};
+  const auto pair = pair_of(channel.kind, sample);
+  if (!pair) return void(keeps.states.insert_or_assign(key, Boxed::of(sample)));
+  if (!keeps.links) keeps.links = std::make_unique<Links>();
+  const auto [kept, is_new] =
+      keeps.links->all.insert_or_assign(key, std::get<wire::LinkState>(sample));
+  if (!is_new) return;
+  for (const NodeNumber node : *pair) keeps.links->of_nodes[node].push_back(&*kept);
 }
 
 void MemoryTransport::put(std::size_t channel, std::variant<wire::Sample, Malformed> content) {
@@ -237,13 +275,14 @@ std::vector<MemoryTransport::KeptState> MemoryTransport::states_for(const Channe
   std::vector<KeptState> kept;
   if (!writer.kept) return kept;
   for (const auto& [key, state] : writer.kept->states)
-    if (wants(reader, std::get<0>(key))) kept.emplace_back(key, state);
-  if (!wants(reader, wire::Slot::kLinkState)) return kept;
+    if (wants(reader, std::get<0>(key))) kept.emplace_back(key, state->sample());
+  const Links* links = writer.kept->links.get();
+  if (links == nullptr || !wants(reader, wire::Slot::kLinkState)) return kept;
   if (at(reader).by_pattern) {
-    for (const auto& [key, link] : writer.kept->links) kept.emplace_back(key, link);
-  } else if (const auto about = writer.kept->links_of.find(reader.node->self_);
-             about != writer.kept->links_of.end()) {
-    for (const auto& [key, link] : about->second) kept.emplace_back(key, *link);
+    for (const auto& [key, link] : links->all) kept.emplace_back(key, link);
+  } else if (const auto about = links->of_nodes.find(reader.node->self_);
+             about != links->of_nodes.end()) {
+    for (const auto* link : about->second) kept.emplace_back(link->first, link->second);
   }
   std::ranges::sort(kept, {}, &KeptState::first);
   return kept;

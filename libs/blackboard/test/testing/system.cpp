@@ -24,15 +24,15 @@ std::vector<ChannelConfig> channels_of(const Node& node) {
 
 }  // namespace
 
-void System::start(const Node& node) {
-  nodes_.erase(node.number);
+void System::start_process(NodeNumber process, const Node& node) {
+  nodes_.erase(process);
   Config config;
   config.self = node.number;
   config.incarnation = ++incarnations_[node.number];
   config.channels = channels_of(node);
   config.world_reads = world_channel().slots;
   config.held_events = held_events;
-  Running& running = nodes_[node.number];
+  Running& running = nodes_[process];
   running.transport = medium_->transport(node.name);
   auto opened = Blackboard::open(std::move(config), *running.transport);
   ASSERT_TRUE(opened) << opened.error().why;

@@ -33,11 +33,14 @@ class System {
   System() : medium_(make_medium()) {}
 
   /// Starts or restarts a node; it reads all world slots.
-  void start(const Node& node);
+  void start(const Node& node) { start_process(node.number, node); }
+  /// A second process with the number of the node: a later life that runs beside it.
+  void start_second(const Node& node) { start_process(second_of(node), node); }
   /// The process of the node dies: nothing of it remains.
   void kill(const Node& node) { nodes_.erase(node.number); }
 
   Blackboard& operator[](const Node& node) { return *nodes_.at(node.number).blackboard; }
+  Blackboard& second(const Node& node) { return *nodes_.at(second_of(node)).blackboard; }
   Now now() const { return {mission, medium_->steady()}; }
   Medium& medium() { return *medium_; }
   /// Sets the directed radio channel at both ends.
@@ -82,6 +85,8 @@ class System {
     std::unique_ptr<Blackboard> blackboard;
     std::vector<Incoming> received;
   };
+  static NodeNumber second_of(const Node& node) { return NodeNumber(node.number.value() + 100); }
+  void start_process(NodeNumber process, const Node& node);
   void step_all();
 
   std::unique_ptr<Medium> medium_;

@@ -25,7 +25,7 @@ class MemoryTransport;
 /// Thread rule: one thread for the hub and all its transports. Must outlive them.
 /// A LinkState on the world channel reaches only the two nodes of the link, and readers by pattern:
 /// there are as many as pairs of nodes, and other nodes would discard them.
-/// Cost of a sample: the readers of its partition.
+/// Cost of a sample: the readers of its partition, on the world channel those of its slot.
 class MemoryHub {
  public:
   /// Delivers `content`, as if from the wire, to every node whose channel on this partition is up.
@@ -44,17 +44,19 @@ class MemoryHub {
     std::size_t channel = 0;
     bool operator==(const End&) const = default;
   };
+  /// The readers of the world channel, which each sample finds without asking all of them.
+  struct WorldReaders {
+    std::map<NodeNumber, std::vector<End>> of_nodes;  ///< the readers by name
+    std::map<wire::Slot, std::vector<End>> of_slots;
+    std::vector<End> listeners;  ///< the readers by pattern
+  };
   /// The writers of a partition and its readers, by name or by pattern; in the order of `open`.
+  /// There are as many as pairs of nodes.
   struct Partition {
     std::vector<End> writers, readers;
-    /// The readers by name, by their nodes.
-    std::map<NodeNumber, std::vector<End>> of_nodes;
-    std::vector<End> listeners;  ///< the readers by pattern
+    std::unique_ptr<WorldReaders> world;  ///< null on other channels
 
-    void listen(const End& reader) {
-      readers.push_back(reader);
-      listeners.push_back(reader);
-    }
+    void read(const End& reader, bool by_pattern);
   };
 
   Partition& partition(const std::string& name);
@@ -74,7 +76,7 @@ class MemoryHub {
 /// wrote and nobody has received are lost.
 class MemoryTransport final : public Transport {
  public:
-  explicit MemoryTransport(MemoryHub& hub) : hub_(hub) {}
+  explicit MemoryTransport(MemoryHub& hub);
   ~MemoryTransport() override;
 
   Result<void, Failure> open(const TransportPlan& plan) override;
@@ -87,13 +89,19 @@ class MemoryTransport final : public Transport {
   friend class MemoryHub;
   /// Slot, origin, destination, instance.
   using StateKey = std::tuple<wire::Slot, std::uint32_t, std::uint32_t, std::uint32_t>;
+  /// A sample without the room that others would take.
+  class Boxed;
+  using KeptLinks = std::map<StateKey, wire::LinkState>;
+  /// The link states of the world channel, and an index by either node of the link.
+  struct Links {
+    KeptLinks all;
+    std::map<NodeNumber, std::vector<const KeptLinks::value_type*>> of_nodes;
+  };
   /// The samples that a writer keeps for readers that connect later.
   struct Kept {
-    std::map<StateKey, wire::Sample> states;
+    std::map<StateKey, std::unique_ptr<Boxed>> states;
     std::list<wire::Sample> events;
-    /// The link states of the world channel, and an index by either node of the link.
-    std::map<StateKey, wire::LinkState> links;
-    std::map<NodeNumber, std::map<StateKey, const wire::LinkState*>> links_of;
+    std::unique_ptr<Links> links;  ///< null until there are any
   };
   struct Channel {
     bool up = true;  // the members that each sample reads stand together (cache)
@@ -107,7 +115,8 @@ class MemoryTransport final : public Transport {
   };
   using KeptState = std::pair<StateKey, wire::Sample>;
 
-  void remember(Channel& channel, const wire::Sample& sample) const;
+  static void remember(Channel& channel, const wire::Sample& sample);
+  static void remember_state(Channel& channel, const wire::Sample& sample);
   void put(std::size_t channel, std::variant<wire::Sample, Malformed> content);
   void put_to(const std::vector<MemoryHub::End>& readers, std::size_t channel,
               const wire::Sample& sample);

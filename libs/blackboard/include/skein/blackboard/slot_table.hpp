@@ -32,8 +32,8 @@ class SlotTable {
   /// The table of scenarios/slots.yaml at build time.
   static const SlotTable& shipped();
 
-  /// The slots that `from` sends to `to`, in the order of wire::Slot; without the heartbeat, which
-  /// every channel carries. Cost: the number of slots.
+  /// The slots that `from` sends to `to`, in the order of wire::Slot; without the heartbeat, unless
+  /// one is the world: every other channel carries it. Cost: the number of slots.
   std::vector<wire::Slot> between(Party from, Party to) const;
   /// The slots that relays forward.
   std::vector<wire::Slot> relayed() const;
