@@ -207,14 +207,17 @@ double seconds_in_view(const Range& range, const world::SensorModel& device,
 }
 
 TEST(FlownPatrols, HaveTheZoneInSightForTheirTime) {
-  for (const char* name : {"marvin", "heliv", "karma"}) {
-    const auto model = vehicle_of(std::string("scenarios/comets/models/") + name + ".yaml");
+  // Of ressac's head nothing but the steep side reaches the ground from far up.
+  for (const char* name : {"comets/models/marvin", "comets/models/heliv", "comets/models/karma",
+                           "action/models/ressac"}) {
+    const auto model = vehicle_of(std::string("scenarios/") + name + ".yaml");
     for (std::uint64_t seed = 1; seed <= skein::testing::cases(8U, 150U); ++seed) {
       const std::string which = std::string(name) + " seed " + std::to_string(seed);
       Random random(seed, "patrols");
       const world::World world = windy(random);
       const world::Zone zone = a_zone(random, 8, 250);
-      const double altitude = random.uniform(35, 110), seconds = random.uniform(20, 300);
+      const double altitude = random.uniform(35, std::min(model.ceiling - 5, 145.0));
+      const double seconds = random.uniform(20, 300);
       Refinery refinery = refinery_of(world, model, altitude);
       const world::SensorModel& device = model.sensors.back();
       if (altitude >= device.range) continue;
@@ -294,6 +297,55 @@ TEST(FlownPatrols, OneWhoseNoseTurnsSlowlyCountsOnlyWhatThatPointsAt) {
   ASSERT_GT(range.fly("goto", waypoints({{0, 80, 95}, from}), 400).seconds, 0);
   ASSERT_GT(range.fly("goto", waypoints(patrol->way), 4000).seconds, 0);
   EXPECT_GE(seconds_in_view(range, visible, patrol->aim, lattice_over(zone, world.terrain)), 186);
+}
+
+/// Seconds for which the device has the zone in view during the patrol that is planned from there.
+double seconds_patrolled(const world::World& world, const world::VehicleModel& model,
+                         const Vector3& from, const world::Zone& zone, double seconds) {
+  const world::SensorModel& device = model.sensors.front();
+  const auto patrol = refinery_of(world, model, from.z()).patrols.over(from, zone, device, seconds);
+  if (!patrol) return -1;
+  Range range(world, model, 1);
+  if (range.fly("takeoff", altitude_of(from.z()), 400).seconds < 0) return -1;
+  if (range.fly("goto", waypoints({from}), 400).seconds < 0) return -1;
+  if (range.fly("goto", waypoints(patrol->way), 4000).seconds < 0) return -1;
+  return seconds_in_view(range, device, patrol->aim, lattice_over(zone, world.terrain));
+}
+
+// From 143 m only the steep side of its view reaches the ground, no further ahead than its axis.
+TEST(FlownPatrols, GroundBeyondTheRangeOfADeviceIsNotInSight) {
+  const auto ressac = vehicle_of("scenarios/action/models/ressac.yaml");
+  world::World world = world_of("scenarios/domains/seeds.yaml");
+  world.wind = {3.5, 0.7, 0.1};
+  world::Zone zone;
+  zone.polygon = {{28, -79}, {183, -23}, {138, 100}, {-16, 44}};
+
+  EXPECT_GE(seconds_patrolled(world, ressac, {-249, 49, 143}, zone, 70), 70);
+}
+
+TEST(FlownPatrols, AreRefusedToADeviceThatHasNoGroundAheadWithinItsRange) {
+  auto ressac = vehicle_of("scenarios/action/models/ressac.yaml");
+  ressac.sensors.front().gimballed = false;
+  const world::World world = world_of("scenarios/domains/seeds.yaml");
+  world::Zone zone;
+  zone.polygon = {{0, 0}, {200, 0}, {200, 200}, {0, 200}};
+
+  const auto patrol =
+      refinery_of(world, ressac, 175).patrols.over({0, 0, 175}, zone, ressac.sensors.front(), 70);
+
+  ASSERT_FALSE(patrol);
+  EXPECT_EQ(patrol.error(), "visible has no ground ahead within its range from 175 m over it");
+}
+
+// What the quickest of its flights makes of a circle of points counts, not one that misses them.
+TEST(FlownPatrols, OfManyPointsNearEachOtherLastLongEnoughFromAfar) {
+  const auto ressac = vehicle_of("scenarios/action/models/ressac.yaml");
+  world::World world = world_of("scenarios/domains/seeds.yaml");
+  world.wind = {4.5, 2, 0.1};
+  world::Zone zone;
+  zone.polygon = {{-48, -31}, {48, -30}, {47, 31}, {-49, 30}};
+
+  EXPECT_GE(seconds_patrolled(world, ressac, {125, 130, 143}, zone, 168), 168);
 }
 
 TEST(FlownPatrols, AHeadIsAimedAtAZoneThatIsTooSmallToBeSeenAhead) {

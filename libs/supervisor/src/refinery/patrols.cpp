@@ -30,6 +30,7 @@ constexpr double kOutOfSight = 1.25;   // times as long as it would take with th
 constexpr double kLongestPatrol = 6;   // times as long as it would take with the zone in sight
 constexpr int kLongerPatrols = 6;      // tried, until the zone is in sight for long enough
 constexpr double kLongest = 4;         // times as long as the one before, at most
+constexpr std::uint64_t kFlights = 6;  // in thought, with errors and gusts
 constexpr double kTightest = 1.15;     // turn radii of circles over a small zone
 constexpr double kSpacing = 2;         // turn radii between points of arcs: none is circled then
 constexpr int kSides = 8;              // of a circle
@@ -45,6 +46,17 @@ Way spaced(const Way& way, double spacing) {
   for (const Vector3& point : way)
     if (kept.empty() || (point - kept.back()).head<2>().norm() >= spacing) kept.push_back(point);
   return kept;
+}
+
+/// Of flights with errors and gusts.
+FlownWay quickest_flight(const Pose& from, const Way& way, const world::VehicleModel& vehicle,
+                         const world::Wind& wind) {
+  FlownWay quickest = fly_way(from, way, vehicle, wind, 1);
+  for (std::uint64_t trial = 2; trial <= kFlights; ++trial) {
+    FlownWay flown = fly_way(from, way, vehicle, wind, trial);
+    if (flown.seconds < quickest.seconds) quickest = std::move(flown);
+  }
+  return quickest;
 }
 
 }  // namespace
@@ -100,14 +112,16 @@ class Patrols::Sight {
   bool is_seen_ = false;
 };
 
-/// A device that looks down sees what is below; one that is tilted sees the ground ahead, as far as
-/// its range lets it.
+/// A device that looks down sees what is below; one that is tilted sees the ground ahead: around
+/// its axis, or where that meets the ground out of its range, as far as its range lets it.
 Patrols::Look Patrols::look_of(const world::SensorModel& device, double height, double footprint) {
   const double down = std::max(kSteepLook, -device.boresight_pitch);
   if (down > std::numbers::pi / 2 - kSteepLook) return {0, footprint, {}, footprint};
-  const double slant = std::min(height / std::sin(down), device.range);
-  const double ahead = std::sqrt(std::max(0.0, slant * slant - height * height));
-  return {ahead, std::max(footprint, slant * std::tan(device.aperture)), {}, footprint};
+  const double nearest = height / std::tan(std::min(std::numbers::pi / 2, down + device.aperture));
+  const double furthest = std::sqrt(device.range * device.range - height * height);
+  const double ahead = std::min(height / std::tan(down), (nearest + furthest) / 2);
+  const double around = std::max(footprint, std::hypot(height, ahead) * std::tan(device.aperture));
+  return {ahead, std::min(around, furthest - ahead), {}, footprint};
 }
 
 Answer<Way> Patrols::planned(const world::World& world, const Vector3& from,
@@ -129,6 +143,43 @@ Answer<Way> Patrols::planned(const world::World& world, const Vector3& from,
   return spaced(refined->task.way, kSpacing * vehicle().min_turn_radius);
 }
 
+/// A flight along a way, and how far along it the zone was in sight for how long.
+class Patrols::Filling {
+ public:
+  Filling(const Way& way, FlownWay flown, Sight sight, bool hovers)
+      : way_(&way), flown_(std::move(flown)), sight_(std::move(sight)), hovers_(hovers) {}
+
+  double seconds() const { return flown_.seconds; }
+  double most() const { return std::max(done(flown_.seconds), 1e-3); }
+  /// Seconds until that many points of the way are passed.
+  double until_passed(std::size_t points) const { return flown_.passages[points - 2]; }
+  /// The part of the way after which it was in sight for so long.
+  std::optional<Way> cut(double seconds) const {
+    for (std::size_t i = 1; i < way_->size(); ++i) {
+      const double more = done(flown_.passages[i - 1]) - seconds;
+      if (more < 0) continue;
+      Way part(way_->begin(), way_->begin() + static_cast<std::ptrdiff_t>(i) + 1);
+      const double leg = flown_.passages[i - 1] - (i > 1 ? flown_.passages[i - 2] : 0);
+      // Of one that hovers the last leg may end anywhere.
+      if (hovers_ && more < leg) part.back() += more / leg * ((*way_)[i - 1] - (*way_)[i]);
+      return part;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  double done(double at) const {
+    // Turns beyond the zone are part of a patrol of one that cannot hover, within reason.
+    const double share = hovers_ ? 1 : kTurningShare;
+    return std::min(sight_.since_first(at), sight_.until(at) / share);
+  }
+
+  const Way* way_;
+  FlownWay flown_;
+  Sight sight_;
+  bool hovers_;
+};
+
 /// The part of a way after which the zone was in sight for so long, as the autopilot flies it and
 /// as quick as that may be; nothing, and how many times as long it would have to be.
 std::optional<Way> Patrols::filled(const Way& way, const world::Zone& zone, const Look& look,
@@ -137,39 +188,29 @@ std::optional<Way> Patrols::filled(const Way& way, const world::Zone& zone, cons
   Pose start = poses_at(way.front(), vehicle()).front();
   start.heading = heading_to(way.front(), zone.polygon);
   const Way rest(way.begin() + 1, way.end());
-  const FlownWay flown = fly_way(start, rest, vehicle(), world().wind);
-  const Sight sight(flown, Nose(vehicle(), start.heading), zone.polygon, look);
-  // Turns beyond the zone are part of a patrol of one that cannot hover, within reason.
-  const double share = vehicle().hovers ? 1 : kTurningShare;
-  const auto done = [&](double at) {
-    return std::min(sight.since_first(at), sight.until(at) / share);
+  const auto as_flown = [&](FlownWay flown) {
+    Sight sight(flown, Nose(vehicle(), start.heading), zone.polygon, look);
+    return Filling(way, std::move(flown), std::move(sight), vehicle().hovers);
   };
-  const double most = std::max(done(flown.seconds), 1e-3);
-  longer = seconds / most;
+  Filling filling = as_flown(fly_way(start, rest, vehicle(), world().wind));
+  longer = seconds / filling.most();
   if (longer > 1) return std::nullopt;  // without asking how quick it may be, which takes long
+  const Times whole = flight_times(way, vehicle(), world().wind);
+  // Without errors it can miss points near each other again and again that it passes else.
+  if (vehicle().hovers && filling.seconds() > whole.expected)
+    filling = as_flown(quickest_flight(start, rest, vehicle(), world().wind));
   // What it takes from where it begins is known of one that hovers.
-  const auto needed_along = [&](const Way& all) {
-    const Times times = flight_times(all, vehicle(), world().wind);
-    const double taken = vehicle().hovers ? flown.passages[all.size() - 2] : times.expected;
+  const auto needed_along = [&](const Way& part, const Times& times) {
+    const double taken = vehicle().hovers ? filling.until_passed(part.size()) : times.expected;
     return seconds + std::max(0.0, std::min(taken, times.expected) - times.least);
   };
-  const auto cut = [&](double needed) -> std::optional<Way> {
-    for (std::size_t i = 0; i < rest.size(); ++i) {
-      const double more = done(flown.passages[i]) - needed;
-      if (more < 0) continue;
-      Way part(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(i) + 2);
-      const double leg = flown.passages[i] - (i > 0 ? flown.passages[i - 1] : 0);
-      // Of one that hovers the last leg may end anywhere.
-      if (vehicle().hovers && more < leg) part.back() += more / leg * (way[i] - way[i + 1]);
-      return part;
-    }
-    return std::nullopt;
-  };
-  const double needed = needed_along(way);
-  longer = needed / most;
-  const std::optional<Way> part = cut(needed);
+  const double needed = needed_along(way, whole);
+  longer = needed / filling.most();
+  const std::optional<Way> part = filling.cut(needed);
   // A part that is much shorter can be quicker by less.
-  return part && part->size() < way.size() ? cut(needed_along(*part)) : part;
+  return part && part->size() < way.size()
+             ? filling.cut(needed_along(*part, flight_times(*part, vehicle(), world().wind)))
+             : part;
 }
 
 std::vector<Way> Patrols::rounds(const Vector3& from, const world::Zone& zone, double footprint,
@@ -245,7 +286,9 @@ Answer<Motion> Patrols::over_in(const Counted& air, const Vector3& from, const w
   const auto width = footprint(device, height);
   if (!width) return no(width.error());
   const Look look = look_of(device, height, *width);
-  auto motion = flown_over(air, from, zone, look, seconds);
+  Answer<Motion> motion = no(device.device + " has no ground ahead within its range from " +
+                             std::to_string(std::lround(height)) + " m over it");
+  if (look.reach > 0) motion = flown_over(air, from, zone, look, seconds);
   const double approach = world::to_polygon(from.head<2>(), zone.polygon) / vehicle().cruise_speed;
   const bool serves = motion && motion->times.expected <= kOutOfSight * (seconds + approach);
   if (serves || look.ahead <= 0 || !device.gimballed) return motion;

@@ -32,6 +32,7 @@ class Patrols {
     double width = 0;  ///< of the area that is in view at once [m]
   };
   class Sight;
+  class Filling;
   static Look look_of(const world::SensorModel& device, double height, double footprint);
   Answer<Motion> over_in(const Counted& air, const world::Vector3& from, const world::Zone& zone,
                          const world::SensorModel& device, double seconds);
