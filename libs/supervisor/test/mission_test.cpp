@@ -403,11 +403,13 @@ TEST(SupervisorMission, UrgentDoesNotInterruptATakeoff) {
   EXPECT_EQ(desk.insertion().standing.tasks.size(), 2U);
 }
 
-/// On its way to P1, which is seen at (50, 0).
-Desk watching() {
+/// On its way to where it looks at P1, which is seen at (50, 0), with a head that it can aim.
+Desk watching(const world::Vector3& from = {0, 0, 60}) {
   Config config = config_for_tests();
   auto knowledge = std::make_shared<Knowledge>(*config.knowledge);
   knowledge->vocabulary.tasks["watch"] = {"watch", {mission::ParameterKind::kPlace}, {}};
+  knowledge->vehicle.sensors.front().gimballed = true;
+  knowledge->vehicle.sensors.front().aperture = 0.4;
   config.knowledge = knowledge;
   auto world = std::make_shared<world::World>(*config.world);
   world->places["P1"] = {50, 0, 0};
@@ -417,7 +419,10 @@ Desk watching() {
   mission.tasks[0].name = "watch";
   mission.tasks[0].arguments = {std::string("P1")};
   desk.add(mission);
-  InsertionOutcome outcome = inserted({701}, {TaskOf(100, "goto", 701).takes(100, 120)});
+  InsertionOutcome outcome = inserted(
+      {701},
+      {TaskOf(100, "goto", 701).way({{0, 0, 60}, from}).takes(100, 120),
+       TaskOf(101, "perceive", 701).device("camera").target({50, 0, 0}).after(100).takes(60, 60)});
   outcome.order = mission.tasks;
   desk.finish(std::move(outcome));
   desk.runs(100);
@@ -436,6 +441,19 @@ TEST(SupervisorMission, UnderWayIsPlannedAgainOnceItsPlaceHasLeftTheView) {
 
   EXPECT_FALSE(is_planned_again(desk, 60));
   EXPECT_TRUE(is_planned_again(desk, 70));
+}
+
+// 10 m to the side are half a radian from 18 m away.
+TEST(SupervisorMission, UnderWayFromNearByIsPlannedAgainForWhatIsNothingFromAfar) {
+  Desk near_by = watching({32, 0, 0}), afar = watching({-50, 0, 0});
+  mission::ChangeWorld aside;
+  aside.place = mission::KnownPlace{"P1", {50, 10, 0}, 0, std::nullopt};
+
+  near_by.give(WorldChanged{aside});
+  afar.give(WorldChanged{aside});
+
+  EXPECT_TRUE(near_by.job_started());
+  EXPECT_FALSE(afar.job_started());
 }
 
 TEST(SupervisorMission, UnderWayGoesOnWhileItsPlaceMovesToAndFro) {

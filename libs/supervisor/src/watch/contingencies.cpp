@@ -2,6 +2,7 @@
 #include "watch/contingencies.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace {
 
 // Nearer than this it is the same place [m]: for what is planned, for what is under way.
 constexpr double kSamePlace = 5, kStillInView = 15;
+/// So much of the half angle of its view a head is aimed past its place before it is aimed anew.
+constexpr double kOfItsView = 0.5;
+constexpr double kAimedAt = 1;  // [m]
 /// So much later others may come without dates being promised anew.
 constexpr Duration kOthersVary = Duration::milliseconds(5000);
 
@@ -42,14 +46,14 @@ std::optional<GoalId> goal_meeting(const Book& book, temporal::MeetingId meeting
 
 }  // namespace
 
-Contingencies::Contingencies(Limits limits, Dates& dates, Committer& committer, Agenda& agenda,
-                             Outbox& out, Book& book)
+Contingencies::Contingencies(Limits limits, const Rooms& rooms)
     : limits_(limits),
-      dates_(dates),
-      committer_(committer),
-      agenda_(agenda),
-      out_(out),
-      book_(book) {}
+      beliefs_(rooms.beliefs),
+      dates_(rooms.dates),
+      committer_(rooms.committer),
+      agenda_(rooms.agenda),
+      out_(rooms.out),
+      book_(rooms.book) {}
 
 // ---- dates ----
 
@@ -171,10 +175,36 @@ bool is_with_its_roles(const std::vector<const Entry*>& tasks) {
 }  // namespace
 
 /// Of one that is given; the others are planned with where it is now.
-bool Contingencies::is_out_of_view(GoalId goal, const world::Vector3& moved) {
+bool Contingencies::is_out_of_view(GoalId goal, const std::string& place,
+                                   const world::Vector3& moved) {
   world::Vector3& all = moved_.try_emplace(goal, world::Vector3::Zero()).first->second;
   all += moved;
-  return all.norm() > kStillInView;
+  if (all.norm() > kStillInView) return true;
+  const auto known = beliefs_.world().places.find(place);
+  return known != beliefs_.world().places.end() &&
+         is_aimed_past(goal, known->second - all, known->second);
+}
+
+/// Some look of the goal, from where it looks or will, is aimed at where the place was `before`,
+/// and has it no longer well within its view.
+bool Contingencies::is_aimed_past(GoalId goal, const world::Vector3& before,
+                                  const world::Vector3& now) const {
+  world::Vector3 from = beliefs_.vehicle().position;
+  for (const Entry* one : book_.of(goal)) {
+    if (!one->task.way.empty() && !one->done()) from = one->task.way.back();
+    const executive::Parameter* target = one->task.parameters.find("target");
+    const executive::Parameter* device = one->task.parameters.find("device");
+    if (one->over() || target == nullptr || device == nullptr) continue;
+    const world::SensorModel* sensor = world::find_sensor(beliefs_.model(), device->text);
+    const world::Vector2 aim(target->numbers.at(0), target->numbers.at(1));
+    if (sensor == nullptr || !sensor->gimballed) continue;
+    if ((aim - before.head<2>()).norm() > kAimedAt) continue;
+    const world::Vector3 eye = world::eye_of(beliefs_.model(), from);
+    const double off =
+        std::acos(std::clamp((before - eye).normalized().dot((now - eye).normalized()), -1.0, 1.0));
+    if (off > kOfItsView * sensor->aperture) return true;
+  }
+  return false;
 }
 
 void Contingencies::look_elsewhere(const std::string& place, const world::Vector3& moved,
@@ -188,7 +218,7 @@ void Contingencies::look_elsewhere(const std::string& place, const world::Vector
     const Goal& goal = book_.goals.at(id);
     const bool given = book_.is_given(id);
     if (!goal.open() || goal.queued || !names(goal.task, place)) continue;
-    if (given ? !is_out_of_view(id, moved) : moved.norm() <= kSamePlace) continue;
+    if (given ? !is_out_of_view(id, place, moved) : moved.norm() <= kSamePlace) continue;
     if (is_with_its_roles(book_.of(id))) continue;
     if (!first) first = id;
     if (given) stopped.insert(id);

@@ -10,6 +10,7 @@
 #include "commitment/committer.hpp"
 #include "jobs/agenda.hpp"
 #include "skein/world/geometry.hpp"
+#include "watch/beliefs.hpp"
 
 namespace skein::supervisor {
 
@@ -23,8 +24,15 @@ class Contingencies {
     Duration grace;
     int refinements = 2;
   };
-  Contingencies(Limits limits, Dates& dates, Committer& committer, Agenda& agenda, Outbox& out,
-                Book& book);
+  struct Rooms {
+    const Beliefs& beliefs;
+    Dates& dates;
+    Committer& committer;
+    Agenda& agenda;
+    Outbox& out;
+    Book& book;
+  };
+  Contingencies(Limits limits, const Rooms& rooms);
 
   // ---- dates ----
 
@@ -46,7 +54,8 @@ class Contingencies {
   void check_devices(const std::set<std::string>& newly);
   /// A place turned out to be `moved` [m] from where it was believed: goals about it are planned
   /// again; perceptions made so far count. A task under way goes on while it still has the place in
-  /// view; displacements add up.
+  /// view; displacements add up. From near by, that is less than from far above. Precondition: the
+  /// beliefs have the place where it turned out to be.
   void look_elsewhere(const std::string& place, const world::Vector3& moved,
                       const std::string& cause);
 
@@ -54,9 +63,11 @@ class Contingencies {
   MissionTime now() const { return out_.now(); }
   void check_dates(const std::string& cause, Duration tolerance);
   void give_way();
-  bool is_out_of_view(GoalId goal, const world::Vector3& moved);
+  bool is_out_of_view(GoalId goal, const std::string& place, const world::Vector3& moved);
+  bool is_aimed_past(GoalId goal, const world::Vector3& before, const world::Vector3& now) const;
 
   Limits limits_;
+  const Beliefs& beliefs_;
   Dates& dates_;
   Committer& committer_;
   Agenda& agenda_;

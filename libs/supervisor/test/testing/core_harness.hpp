@@ -63,6 +63,10 @@ class TaskOf {
     task_.parameters.add({"device", name, {}});
     return *this;
   }
+  TaskOf& target(const world::Vector3& at) {
+    task_.parameters.add({"target", "", {at.x(), at.y(), at.z()}});
+    return *this;
+  }
   TaskOf& way(std::vector<world::Vector3> points) {
     task_.way = std::move(points);
     return *this;

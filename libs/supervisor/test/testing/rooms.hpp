@@ -23,7 +23,8 @@ class Rooms {
         dates(book, config.grace),
         agenda(out),
         committer(config.knowledge->vehicle, config.horizon, agenda, dates, out, book),
-        contingencies({config.grace, config.refinements}, dates, committer, agenda, out, book),
+        contingencies({config.grace, config.refinements},
+                      {beliefs, dates, committer, agenda, out, book}),
         safe_mode(config.horizon, beliefs, agenda, committer, out, book) {
     book.next_id = config.first_id;
   }
