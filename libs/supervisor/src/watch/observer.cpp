@@ -330,6 +330,8 @@ void Observer::see(const executive::Reply& reply) {
   }
   Entry* entry = book_.find(*reply.id);
   if (entry == nullptr || entry->over()) return;
+  // Its start crossed new preconditions, as when the first of two updates let it begin.
+  if (reply.request == executive::RequestKind::kUpdateConditions && entry->seen.started) return;
   if (reply.request == executive::RequestKind::kStart) entry->abort(now());
   entry->why = reply.why;
   if (entry->live() && engaged()) refused(*entry, what);

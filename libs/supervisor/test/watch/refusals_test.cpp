@@ -97,6 +97,28 @@ TEST(SupervisorRefusals, TheFirstIsPlannedAgainAtOnce) {
   EXPECT_TRUE(one.desk.job_started());
 }
 
+executive::Reply no_new_preconditions_for(std::uint64_t task) {
+  return {executive::RequestKind::kUpdateConditions, TaskId{task}, false,
+          "task " + std::to_string(task) + " is started: its preconditions no longer matter"};
+}
+
+TEST(SupervisorRefusals, OfNewPreconditionsDoNotMatterOnceTheTaskHasBegun) {
+  Desk begun = Desk::engaged(), waiting = Desk::engaged();
+  for (Desk* desk : {&begun, &waiting}) {
+    desk->flies();
+    desk->add(a_mission(1, {701}));
+    desk->finish(inserted({701}, {TaskOf(100, "goto", 701).takes(10, 20)}));
+  }
+  begun.seen(100, TaskState::kStarted);
+
+  begun.give(RequestAnswered{no_new_preconditions_for(100)});
+  waiting.give(RequestAnswered{no_new_preconditions_for(100)});
+
+  EXPECT_FALSE(begun.job_started());
+  EXPECT_THAT(begun.requests(), ::testing::IsEmpty());
+  EXPECT_TRUE(waiting.job_started());
+}
+
 TEST(SupervisorRefusals, ForWantOfAirItGoesBehindTheOthers) {
   Refused one;
   one.desk.aborted(100, "it waits for uav2 to leave", executive::AbortCause::kNoAir);
