@@ -121,18 +121,20 @@ bool AirWatch::circles_into(const world::Vector3& end, const world::Volume& volu
   return crosses(volume, vehicle.body_radius + stay_radius(vehicle), end, end);
 }
 
-// It passes by, and not so far that no flight along it would come there. Half of what ways keep
-// away, so that one that was made since the volume is known is never in question.
+// It passes by, and not so far that no flight along it would come there: one that hovers is carried
+// past corners. Half of what ways keep away, so that one that was made since the volume is known is
+// never in question.
 bool AirWatch::strays_into(const std::vector<world::Vector3>& way,
                            const world::Volume& volume) const {
   const world::VehicleModel& vehicle = beliefs_.model();
   const world::Wind& wind = beliefs_.world().wind;
   const double stray = arrival_distance(vehicle, wind);
-  const double turns = vehicle.hovers ? 0 : vehicle.orbit_radius + vehicle.min_turn_radius;
+  const double turns = vehicle.hovers ? world::braking_distance(vehicle, vehicle.cruise_speed)
+                                      : vehicle.orbit_radius + vehicle.min_turn_radius;
   const bool level = (way.back() - way.front()).head<2>().norm() > 2 * stray;
   if (!level || crosses(volume, stray, way.front(), way.front())) return false;
   return crosses(volume, stray + turns, way) &&
-         flights_meet(way, {volume}, vehicle, wind, {stray / 2, 0});
+         flights_meet(way, {volume}, vehicle, wind, {vehicle.hovers ? stray / 4 : stray / 2, 0});
 }
 
 // From where it is, as fast as it is, one that hovers is carried past corners. Half of what a way

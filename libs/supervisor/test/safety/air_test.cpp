@@ -49,15 +49,21 @@ TEST(SupervisorWorld, ClosedAheadStopsWhatFliesThere) {
   EXPECT_EQ(desk.repair().base.world->volumes.size(), 1U);
 }
 
-// It brakes for the corner, and is carried beyond it all the same.
+/// It is carried past corners though it brakes for them.
+Config of_a_helicopter() {
+  Config config = config_for_tests();
+  Knowledge slow = *config.knowledge;
+  slow.vehicle.cruise_speed = 8;
+  slow.vehicle.acceleration = 1;
+  config.knowledge = std::make_shared<Knowledge>(slow);
+  return config;
+}
+
+world::Polygon beyond(double edge) { return {{edge, -50}, {300, -50}, {300, 50}, {edge, 50}}; }
+
 TEST(SupervisorWorld, ClosedJustBeyondACornerStopsWhatFliesThere) {
   const auto stopped_by = [](double edge) {
-    Config config = config_for_tests();
-    Knowledge slow = *config.knowledge;
-    slow.vehicle.cruise_speed = 8;
-    slow.vehicle.acceleration = 1;
-    config.knowledge = std::make_shared<Knowledge>(slow);
-    Desk desk = Desk::engaged(std::move(config));
+    Desk desk = Desk::engaged(of_a_helicopter());
     desk.add(a_mission(1, {701}));
     desk.finish(inserted({701}, {TaskOf(100, "goto", 701)
                                      .takes(100, 120)
@@ -68,12 +74,33 @@ TEST(SupervisorWorld, ClosedJustBeyondACornerStopsWhatFliesThere) {
     state.velocity = {8, 0, 0};
     state.airborne = true;
     desk.give(VehicleSeen{state, {}});
-    desk.at(30).give(closed("fire", {{edge, -50}, {300, -50}, {300, 50}, {edge, 50}}));
+    desk.at(30).give(closed("fire", beyond(edge)));
     return desk.job_started();
   };
 
   EXPECT_TRUE(stopped_by(202));
   EXPECT_FALSE(stopped_by(240));
+}
+
+// While the way was planned, the air beyond its corner was open.
+TEST(SupervisorWorld, ClosedJustBeyondACornerOfAWayToComeMakesThatPlannedAnew) {
+  const auto planned_anew_by = [](double edge) {
+    Desk desk = Desk::engaged(of_a_helicopter());
+    desk.add(a_mission(1, {701, 702}));
+    desk.finish(inserted({701, 702},
+                         {TaskOf(100, "goto", 701).takes(50, 60).way({{-400, 0, 40}, {0, 0, 40}}),
+                          TaskOf(101, "goto", 702)
+                              .after(100)
+                              .takes(100, 120)
+                              .way({{0, 0, 40}, {100, 0, 40}, {200, 0, 40}, {200, 200, 40}})}));
+    desk.flies({-400, 0, 40});
+    desk.runs(100);
+    desk.at(30).give(closed("fire", beyond(edge)));
+    return desk.job_started();
+  };
+
+  EXPECT_TRUE(planned_anew_by(202));
+  EXPECT_FALSE(planned_anew_by(240));
 }
 
 TEST(SupervisorWorld, ClosedWhereItHasBeenOrBeforeItComesStopsNothing) {
