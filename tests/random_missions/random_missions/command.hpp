@@ -4,7 +4,7 @@
 
 namespace skein::mission_lab {
 
-/// Returns the exit code: 1 when a law was broken.
+/// Returns the exit code: 1 when a law was broken, 2 when a scenario or an option was refused.
 int command(int argc, char** argv);
 
 }  // namespace skein::mission_lab

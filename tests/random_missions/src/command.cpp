@@ -150,25 +150,32 @@ int run_seeds(const Options& options, std::uint64_t first, std::uint64_t last) {
 
 int run_files(const Options& options) {
   Series series;
-  std::size_t i = 0;
-  bool valid = true;
+  std::size_t i = 0, unreadable = 0;
+  const auto refuse = [&](const std::string& file, const std::string& problem) {
+    std::cerr << file << ": " << problem << '\n';
+    ++unreadable;
+  };
   const auto next = [&](Case& one) {
-    if (i == options.files.size()) return false;
-    std::ifstream in(options.files[i]);
-    one = {options.files[i], std::string(std::istreambuf_iterator<char>(in), {}), options.files[i]};
-    ++i;
-    return true;
+    for (; i < options.files.size(); ++i) {
+      const std::string& file = options.files[i];
+      std::ifstream in(file);
+      one = {file, std::string(std::istreambuf_iterator<char>(in), {}), file};
+      if (in.is_open() && !in.bad()) return ++i, true;
+      refuse(file, "cannot be read");
+    }
+    return false;
   };
   judge(next, options.judge, [&](const Case& what, const Verdict& verdict) {
-    if (!verdict.valid) std::cerr << what.name << ": " << verdict.problem << '\n';
-    valid = valid && verdict.valid;
+    if (!verdict.valid) return refuse(what.name, verdict.problem);
     series.add(what, verdict);
     if (options.json) return print_json(std::cout, what, verdict);
     for (const Violation& one : verdict.violations)
       std::cout << what.name << ": " << laws::to_text(one) << '\n';
   });
-  if (!options.json) print(std::cout, series, options.examples);
-  return !valid ? kExitBadInput : series.broken == 0 ? kExitOk : kExitNegative;
+  if (!options.json && series.missions > 0) print(std::cout, series, options.examples);
+  if (unreadable == 0) return series.broken == 0 ? kExitOk : kExitNegative;
+  std::cerr << unreadable << " of " << options.files.size() << " scenarios were not played\n";
+  return kExitBadInput;
 }
 
 void declare(CLI::App& app, Options& options) {
