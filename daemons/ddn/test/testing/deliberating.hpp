@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "level_world.hpp"
 #include "skein/supervisor/supervisor.hpp"
 #include "skein/translation/missions.hpp"
 #include "testing/bench.hpp"
@@ -37,11 +38,7 @@ inline DdnConfig deliberating(int degree, ContactPolicy policy = ContactPolicy::
   knowledge->vocabulary.tasks["fly"] = {"fly", {mission::ParameterKind::kPlace}, {}};
   knowledge->vocabulary.tasks["look"] = {"look", {mission::ParameterKind::kPlace}, {"sight"}};
   knowledge->vocabulary.serves.emplace("camera", "sight");
-  world::TerrainSpec ground;
-  ground.west = ground.south = -1000;
-  ground.east = ground.north = 1000;
-  auto world = std::make_shared<world::World>(
-      world::World{{}, world::Terrain(ground), {}, {}, {}, {}, {}, {}, {}});
+  auto world = std::make_shared<world::World>(skein::testing::level_world(1000));
   world->places["P1"] = {100, 0, 40};
   world->places["P2"] = {0, 100, 40};
   config.knowledge = knowledge;

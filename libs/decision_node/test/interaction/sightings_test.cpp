@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "level_world.hpp"
+
 namespace skein::decision_node {
 namespace {
 
@@ -13,10 +15,7 @@ MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
 class Known {
  public:
   Known() {
-    world::TerrainSpec spec;
-    spec.west = spec.south = -100;
-    spec.east = spec.north = 100;
-    world_ = world::World{{}, world::Terrain(spec), {}, {}, {}, {}, {}, {}, {}};
+    world_ = skein::testing::level_world(100);
     world_->places["fire-front"] = {90, 40, 0};
   }
   std::optional<interaction::Sighting> of(const std::string& name) const {

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "level_world.hpp"
+
 namespace skein::decision_node {
 namespace {
 
@@ -26,11 +28,7 @@ Vantage vantage() {
   vehicle.sensors.push_back(camera);
   knowledge->vocabulary.tasks["look"] = {"look", {mission::ParameterKind::kPlace}, {"sight"}};
   knowledge->vocabulary.serves.emplace("camera", "sight");
-  world::TerrainSpec ground;
-  ground.west = ground.south = -1000;
-  ground.east = ground.north = 1000;
-  auto world = std::make_shared<world::World>(
-      world::World{{}, world::Terrain(ground), {}, {}, {}, {}, {}, {}, {}});
+  auto world = std::make_shared<world::World>(skein::testing::level_world(1000));
   world->places["P1"] = {100, 0, 0};
   Vantage at;
   at.knowledge = knowledge;

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "level_world.hpp"
 #include "skein/team/global_mission.hpp"
 #include "testing/flown_node.hpp"
 
@@ -33,11 +34,7 @@ Config config(int degree) {
   knowledge->vehicle.energy.capacity = 1e6;
   knowledge->team = {"marvin", "heliv"};
   knowledge->vocabulary.tasks["look"] = {"look", {mission::ParameterKind::kPlace}, {}};
-  world::TerrainSpec ground;
-  ground.west = ground.south = -1000;
-  ground.east = ground.north = 1000;
-  auto world = std::make_shared<world::World>(
-      world::World{{}, world::Terrain(ground), {}, {}, {}, {}, {}, {}, {}});
+  auto world = std::make_shared<world::World>(skein::testing::level_world(1000));
   world->places["P1"] = {100, 0, 0};
   config.knowledge = knowledge;
   config.world = world;

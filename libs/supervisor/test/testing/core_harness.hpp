@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "level_world.hpp"
 #include "skein/supervisor/supervisor.hpp"
 
 namespace skein::supervisor::testing {
@@ -144,12 +145,7 @@ inline Config config_for_tests() {
   knowledge->vocabulary.serves.emplace("camera", "detection");
   Config config;
   config.knowledge = knowledge;
-  world::TerrainSpec ground;
-  ground.west = ground.south = -100;
-  ground.east = ground.north = 100;
-  ground.cell = 100;
-  config.world = std::make_shared<world::World>(
-      world::World{{}, world::Terrain(ground), {}, {}, {}, {}, {}, {}, {}});
+  config.world = std::make_shared<world::World>(skein::testing::level_world(100));
   config.first_id = TaskId{100};
   return config;
 }
