@@ -241,6 +241,8 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
     serve(peer, now);
   } else {
     const bool changes = condition.up != peer.incoming_condition().up;
+    if (peer.incoming_condition().capacity > 0 && !condition.up)
+      delayed_.cut(peer.channels().incoming, now.steady);
     peer.set_incoming(condition);
     if (changes) connections_.set_up(peer.channels().incoming, condition.up, now.steady, out_);
     plan(peer);
@@ -321,9 +323,10 @@ void Blackboard::Impl::arrive(Arrival&& arrival, Now now) {
       losses_.chance(condition.loss)) {
     return;
   }
-  Duration due = now.steady + condition.latency;
-  if (condition.capacity > 0) due = due + airtime(channel_bytes(sample), condition.capacity);
-  delayed_.add(arrival.channel, std::move(sample), due);
+  Duration transmitted = now.steady;
+  if (condition.capacity > 0)
+    transmitted = transmitted + airtime(channel_bytes(sample), condition.capacity);
+  delayed_.add(arrival.channel, std::move(sample), transmitted, condition.latency);
 }
 
 void Blackboard::Impl::admit(std::size_t channel, wire::Sample&& sample, Now now) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queue of arrived samples that are delayed by the latency of their channel.
+// Queue of samples that are under way on a channel: being transmitted, or delayed by its latency.
 #pragma once
 
 #include <algorithm>
@@ -18,13 +18,20 @@ class Delays {
   struct Delayed {
     std::size_t channel;
     wire::Sample sample;
+    Duration transmitted;  ///< steady: its transmission ends
   };
 
-  void add(std::size_t channel, wire::Sample&& sample, Duration due) {
+  void add(std::size_t channel, wire::Sample&& sample, Duration transmitted, Duration latency) {
     if (channel >= last_.size()) last_.resize(channel + 1);
     Duration& last = last_[channel];
-    last = std::max(last, due);
-    delayed_.emplace(last, Delayed{channel, std::move(sample)});
+    last = std::max(last, transmitted + latency);
+    delayed_.emplace(last, Delayed{channel, std::move(sample), transmitted});
+  }
+  /// The channel is cut: what is being transmitted is lost. Cost: O(all that is under way).
+  void cut(std::size_t channel, Duration now) {
+    std::erase_if(delayed_, [&](const auto& one) {
+      return one.second.channel == channel && one.second.transmitted > now;
+    });
   }
   std::optional<Delayed> take_due(Duration now) {
     if (delayed_.empty() || delayed_.begin()->first > now) return std::nullopt;

@@ -139,7 +139,7 @@ const Node kGround{NodeNumber(2), "ground"};
 /// A node that sends over a channel of some capacity to one that notes when what came was sent.
 class SlowRadio {
  public:
-  explicit SlowRadio(double capacity) {
+  explicit SlowRadio(double capacity) : capacity_(capacity) {
     for (const Node& node : {kUav, kGround}) {
       Config config;
       config.self = node.number;
@@ -148,8 +148,7 @@ class SlowRadio {
       config.retransmission = Duration::milliseconds(1500);
       boards_.start(config);
     }
-    boards_.set_condition(kUav.number, kGround.number,
-                          {true, Duration::milliseconds(20), 0, capacity});
+    set_up(true);
     run_until(Duration::milliseconds(3'000));
   }
 
@@ -159,6 +158,10 @@ class SlowRadio {
     boards_.settle();
   }
   void run_until(Duration until) { boards_.run_until(until); }
+  void set_up(bool up) {
+    boards_.set_condition(kUav.number, kGround.number,
+                          {up, Duration::milliseconds(20), 0, capacity_});
+  }
   Duration time() const { return boards_.time(); }
   std::uint64_t shed() { return boards_[kUav.number].shed(kGround.number); }
   bool both_reach() {
@@ -188,6 +191,7 @@ class SlowRadio {
     }
   }
 
+  double capacity_;
   testing::MemoryBoards boards_{[this](NodeNumber, const Incoming& incoming) { see(incoming); }};
   std::map<std::uint64_t, Duration> sent_;
 };
@@ -271,6 +275,33 @@ TEST(SlowRadio, AStateComesThroughWithItsLastValue) {
   ASSERT_FALSE(radio.degrees.empty());
   EXPECT_EQ(radio.degrees.back(), 5);
   EXPECT_LT(radio.degrees.size(), 5U) << "what was out of date stayed behind";
+}
+
+TEST(SlowRadio, WhatIsBeingTransmittedWhenTheLinkGoesDownIsLostAndAnEventComesOnceItIsUp) {
+  SlowRadio radio(9'600);
+  const auto after = [&](int milliseconds) {
+    radio.run_until(radio.time() + Duration::milliseconds(milliseconds));
+  };
+  radio.send(task_event(1));
+  after(50);
+  radio.set_up(false);
+  after(2'000);
+  EXPECT_THAT(radio.events, ::testing::IsEmpty());
+
+  radio.set_up(true);
+  after(3'000);
+  EXPECT_THAT(radio.events, ElementsAre(1));
+}
+
+TEST(SlowRadio, WhatIsTransmittedWhenTheLinkGoesDownArrives) {
+  SlowRadio radio(9'600);
+  radio.send(task_event(1));
+  radio.run_until(radio.time() + airtime(channel_bytes(task_event(1)), 9'600) +
+                  Duration::milliseconds(1));
+  radio.set_up(false);
+  radio.run_until(radio.time() + Duration::milliseconds(100));
+
+  EXPECT_THAT(radio.events, ElementsAre(1));
 }
 
 TEST(SlowRadio, AFloodOfEventsLeavesRoomForHeartbeatsAndStreams) {
