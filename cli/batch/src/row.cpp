@@ -65,7 +65,8 @@ void ask_laws(const scenario::Scenario& scenario, const std::vector<journal::Rec
   };
   for (const laws::Violation& one : laws::broken_laws(scenario, records))
     add(one.law, laws::to_text(one));
-  for (const std::string& breach : laws::broken_protocol(records)) add("protocol", breach);
+  for (const std::string& breach : laws::broken_protocol(records, laws::command_limit(scenario)))
+    add("protocol", breach);
   for (const std::string& breach : laws::broken_healing(records, laws::healing_limits(scenario)))
     add("healing", breach);
 }

@@ -78,7 +78,7 @@ std::vector<laws::Violation> violations_of(const scenario::Scenario& scenario,
                                            const JudgeOptions& options) {
   std::vector<laws::Violation> all = laws::broken_laws(scenario, records, options.only);
   if (wants(options, "protocol")) {
-    for (const std::string& breach : laws::broken_protocol(records))
+    for (const std::string& breach : laws::broken_protocol(records, laws::command_limit(scenario)))
       all.push_back({"protocol", 0, "", 0, breach});
   }
   if (wants(options, "healing")) {

@@ -6,6 +6,7 @@
 
 #include "by_hand.hpp"
 #include "checks.hpp"
+#include "scripted.hpp"
 
 namespace skein::laws {
 
@@ -153,9 +154,19 @@ double not_before(const Uav& uav) {
   return first;
 }
 
+// Its operator set it to a degree at which it plans, and not to go on with what it handed over.
+bool may_be_kept(const History& history, const std::string& uav) {
+  bool kept = false;
+  for_scripted<ground_station::SetDegree>(*history.scenario, [&](const auto& set) {
+    kept = kept || (set.uav == uav && set.change.degree >= 4 && !set.change.resume);
+  });
+  return kept;
+}
+
 // What the ground was given, and has not given back, is the ground's to end.
-bool is_the_grounds(const Uav& uav, const Goal& goal) {
+bool is_the_grounds(const History& history, const Uav& uav, const Goal& goal) {
   if (goal.state() != "handed-over") return false;
+  if (may_be_kept(history, uav.name())) return true;
   return std::none_of(uav.degrees.begin(), uav.degrees.end(), [&](const auto& change) {
     return change.first > goal.changes.back().at && change.second >= 4;
   });
@@ -218,7 +229,7 @@ std::vector<Violation> goals_without_end(const History& history) {
                       named(uav, open_goals(uav, history.end), idle_since - kSoon, history.end);
     if (told) continue;
     for (const auto& [id, goal] : uav.goals) {
-      if (goal.settled() || is_the_grounds(uav, goal)) continue;
+      if (goal.settled() || is_the_grounds(history, uav, goal)) continue;
       result.push_back({"", history.end, name, id,
                         mission::to_text(goal.task) + " is " + goal.state() +
                             " at the end, and nothing was done for any goal since " +

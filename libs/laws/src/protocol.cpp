@@ -23,6 +23,7 @@ namespace lines = journal::lines;
 using journal::Record;
 using journal::Written;
 
+constexpr Duration kSettling = Duration::milliseconds(6'000);
 constexpr double kMoment = 0.5;  ///< [s] more than any latency of a test
 /// Long messages are numbered from here on, and have an order of their own.
 constexpr std::uint64_t kFirstLongMessage = std::uint64_t{1} << 50;
@@ -253,6 +254,10 @@ class Checker {
 };
 
 }  // namespace
+
+Duration command_limit(const scenario::Scenario& scenario) {
+  return scenario.ground.script.command_lifetime + kSettling;
+}
 
 std::vector<std::string> broken_protocol(const std::vector<Record>& records,
                                          Duration command_limit) {

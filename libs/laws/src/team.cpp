@@ -43,10 +43,25 @@ bool out_of_contact(const Uav& uav) {
   });
 }
 
+// It has been in reach of most of those who vote for as long as a sale takes, over links of its
+// own.
+bool may_be_sold_to(const History& history, const std::string& uav, double since) {
+  std::size_t voters = 1, heard = 1;
+  const auto count = [&](const std::string& other) {
+    ++voters;
+    heard += history.joint.up_for(uav, other, since, history.end) > kSold ? 1 : 0;
+  };
+  for (const auto& [other, it] : history.uavs)
+    if (other != uav) count(other);
+  count("ground");
+  return 2 * heard > voters;
+}
+
 // Somebody is there to sell to, to the end.
-bool somebody_bids(const History& history) {
+bool somebody_bids(const History& history, double since) {
   return std::any_of(history.uavs.begin(), history.uavs.end(), [&](const auto& each) {
-    return each.second.degree(history.end) >= 5 && !out_of_contact(each.second);
+    return each.second.degree(history.end) >= 5 && !out_of_contact(each.second) &&
+           may_be_sold_to(history, each.first, since);
   });
 }
 
@@ -122,7 +137,7 @@ std::vector<Violation> team_tasks_begun_twice(const History& history) {
 std::vector<Violation> team_tasks_without_owner(const History& history) {
   std::vector<Violation> result;
   const double whole = healed(history);
-  if (whole == kNever || !somebody_bids(history)) return result;
+  if (whole == kNever || !somebody_bids(history, whole)) return result;
   for (const auto& [number, task] : history.team.tasks) {
     if (task.standings.empty()) continue;
     const TeamStanding& last = task.standings.back();
@@ -134,6 +149,7 @@ std::vector<Violation> team_tasks_without_owner(const History& history) {
                         named(number) + " is kept by one that left it at " + figure(*left) +
                             " s by its contact-loss policy"});
     if (last.stage != "for-sale" || history.end - since < kSold) continue;
+    if (!somebody_bids(history, since)) continue;
     result.push_back({"", history.end, "", 0,
                       named(number) + " has no owner for " + figure(history.end - since) +
                           " s after the network was whole: " + last.why});

@@ -223,6 +223,15 @@ TEST(JournalLaws, ACommandMayBeOpenWhenTheRunEndsSoonAfterItsIssue) {
   EXPECT_THAT(broken_protocol({command(50, "issued"), link(100, true)}), IsEmpty());
 }
 
+TEST(JournalLaws, ACommandMayBeOpenAsLongAsTheScenarioLetsItLive) {
+  scenario::Scenario scenario;
+  scenario.ground.script.command_lifetime = Duration::seconds(300);
+  const Log log{command(5, "issued"), command(306, "expired")};
+
+  EXPECT_THAT(broken_protocol(log, command_limit(scenario)), IsEmpty());
+  EXPECT_THAT(broken_protocol(log), ElementsAre(HasSubstr("a command is settled too late")));
+}
+
 // Killed in the turn in which it issued it, and back after its limit: nobody else could settle it.
 TEST(JournalLaws, WhileTheGroundStationIsDeadNoCommandGrowsOld) {
   const Record back = record_of(at(75), "ground", lines::Resumed{.from = 2});

@@ -76,6 +76,18 @@ TEST(TeamOwned, WithNobodyAtDegreeFiveThereIsNobodyToSellTo) {
   EXPECT_THAT(story.broken("team-owned"), IsEmpty());
 }
 
+TEST(TeamOwned, WhoIsOutOfReachOfMostCannotBeSoldTo) {
+  const auto last_heard = [](double at) {
+    Story story;
+    story.degree("marvin", 0, 5).owner(20, 11, "for-sale", 0, "", "put back by marvin");
+    for (const char* other : {"ground", "heliv"}) story.link(at, "marvin", other, false);
+    story.stands("heliv", 0, 1).stands("marvin", 0, 200);
+    return story.broken("team-owned");
+  };
+  EXPECT_THAT(last_heard(70), IsEmpty());
+  EXPECT_THAT(last_heard(90), SizeIs(1));
+}
+
 TEST(TeamOwned, WhoHoldsForWantOfContactTakesPartAgainOnceItsDegreeIsSet) {
   Story story;
   story.degree("marvin", 0, 5).owner(20, 11, "for-sale", 0, "", "put back by marvin");

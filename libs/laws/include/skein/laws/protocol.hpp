@@ -7,6 +7,7 @@
 
 #include "skein/foundation/time.hpp"
 #include "skein/journal/record.hpp"
+#include "skein/scenario/scenario.hpp"
 
 namespace skein::laws {
 
@@ -24,6 +25,10 @@ namespace skein::laws {
 ///   is a way past nodes that `route` lines have named before.
 std::vector<std::string> broken_protocol(const std::vector<journal::Record>& records,
                                          Duration command_limit = Duration::seconds(66));
+
+/// The `command_limit` of a scenario: the lifetime of its commands, and a tenth of a minute in which
+/// what came of them is told.
+Duration command_limit(const scenario::Scenario& scenario);
 
 /// For messages of tests: one per line.
 std::string to_text(const std::vector<std::string>& breaches);
