@@ -44,6 +44,9 @@ wire::MergeMessage to_wire(const merging::Message& message) {
   sample.granted = message.granted;
   sample.asks = message.asks;
   sample.of = message.of;
+  sample.version = message.version;
+  sample.known = message.known;
+  sample.brief = message.brief;
   return sample;
 }
 
@@ -60,6 +63,9 @@ Read<merging::Message> from_wire(const wire::MergeMessage& sample) {
   message.granted = sample.granted;
   message.asks = sample.asks;
   message.of = sample.of;
+  message.version = sample.version;
+  message.known = sample.known;
+  message.brief = sample.brief;
   return message;
 }
 

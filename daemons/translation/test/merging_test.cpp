@@ -34,6 +34,9 @@ RC_GTEST_PROP(MergeMessage, ComesBackAsItWent, ()) {
   message.granted = *rc::gen::arbitrary<bool>();
   message.asks = *rc::gen::arbitrary<bool>();
   message.of = *rc::gen::element<std::string>("", "karma");
+  message.version = *rc::gen::arbitrary<std::uint64_t>();
+  message.known = *rc::gen::arbitrary<std::uint64_t>();
+  message.brief = *rc::gen::arbitrary<bool>();
 
   const auto back = from_wire(to_wire(message));
 

@@ -34,17 +34,18 @@ Effects Merger::handle(const Input& input, MissionTime now) {
   out_.clear();
   std::visit([this](const auto& one) { on(one); }, input);
   advance();
-  const bool says = !held_.empty() || waits();
-  if (changed_ || (says && now_ >= said_ + limits_.beat)) tell_all();
-  if (request_ != 0 && now_ >= asked_ + limits_.repeat) ask_again();
+  if (changed_) tell_all();
+  tell_again();
+  if (request_ != 0 && now_ >= asked_ + ask_pause_) ask_again();
   if (request_ == 0 && standby_.is_due(now_)) tell_witness(false);
   return std::move(out_);
 }
 
 std::optional<MissionTime> Merger::next_wakeup() const {
   std::optional<MissionTime> next;
-  if (!held_.empty() || waits()) next = said_ + limits_.beat;
-  if (request_ != 0) return earliest(next, std::min(deadline_, asked_ + limits_.repeat));
+  for (const auto& [name, peer] : peers_)
+    if (peer.reachable && !peer.told.arrived) next = earliest(next, peer.told.at + peer.told.pause);
+  if (request_ != 0) return earliest(next, std::min(deadline_, asked_ + ask_pause_));
   if (third_ && third_->reachable) next = earliest(next, standby_.due());
   if (!waits()) return next;
   if (pause_ > now_) next = earliest(next, pause_);
@@ -87,10 +88,9 @@ void Merger::on(const Heard& heard) {
   Peer& peer = found->second;
   const Message& message = heard.message;
   if (message.number <= peer.number) return;
+  if (!by_witness) peer.told.arrived = message.known == peer.told.version;
   const bool is_new = !peer.heard;
-  peer.number = message.number;
-  peer.heard = true;
-  peer.claim = message.claim;
+  if (!take_claim(peer, message)) return tell(whose, false);
   if (peer.claim.wanted.empty())
     peer.wants_since.reset();
   else if (!peer.wants_since)
@@ -100,7 +100,19 @@ void Merger::on(const Heard& heard) {
   if (answers && message.granted) peer.agreed = true;
   if (answers && !message.granted) close(limits_.again);
   answer(peer);
-  if (is_new || message.asks) tell(whose, false);
+  const bool is_said_again = !message.brief && !by_witness;  // until it is known that it arrived
+  if (is_new || message.asks || is_said_again) tell(whose, false);
+}
+
+/// False: the claim is not said and not known here, which the peer hears by the next message to it.
+bool Merger::take_claim(Peer& peer, const Message& message) {
+  if (message.brief && message.version != peer.version) return false;
+  peer.number = message.number;
+  peer.heard = true;
+  if (message.brief) return true;
+  peer.claim = message.claim;
+  peer.version = message.version;
+  return true;
 }
 
 /// Between this and a later one: yes to what this one neither has nor asks for; to an earlier one,
@@ -295,6 +307,7 @@ bool Merger::ask() {
   }
   request_ = requests_.next(now_);
   deadline_ = now_ + limits_.patience;
+  ask_pause_ = limits_.repeat;
   for (auto& [name, peer] : peers_) peer.agreed = false;
   if (third_) third_->agreed = false;
   changed_ = true;
@@ -331,10 +344,17 @@ Claim Merger::claim() const {
 }
 
 void Merger::tell(const std::string& name, bool asks) {
-  const Peer& peer = peers_.at(name);
+  Peer& peer = peers_.at(name);
   if (!peer.reachable) return;
-  out_.push_back(
-      Tell{name, Message{numbers_.next(now_), claim(), peer.answered, peer.granted, asks}});
+  Message message{numbers_.next(now_), claim(), peer.answered, peer.granted, asks};
+  if (peer.told.version == 0 || peer.told.claim != message.claim)
+    peer.told = {message.claim, message.number, false, now_, limits_.beat};
+  peer.told.at = now_;
+  message.version = peer.told.version;
+  message.known = peer.version;
+  message.brief = peer.told.arrived;
+  if (message.brief) message.claim = {};
+  out_.push_back(Tell{name, std::move(message)});
 }
 
 /// It waits for one out of reach to leave, who may have told the witness since that it has left.
@@ -367,13 +387,23 @@ void Merger::tell_witness(bool asks) {
 void Merger::tell_all() {
   if (changed_ || request_ != 0) tell_witness(request_ != 0);
   changed_ = false;
-  said_ = asked_ = now_;
-  // Whoever has left may have said so when it was not heard, and says no more.
-  for (const auto& [name, peer] : peers_) tell(name, waits());
+  asked_ = now_;
+  for (const auto& [name, peer] : peers_) tell(name, false);
+}
+
+/// What is not known to have arrived, ever more rarely: perhaps the channel carries no more.
+void Merger::tell_again() {
+  for (auto& [name, peer] : peers_) {
+    Told& told = peer.told;
+    if (!peer.reachable || told.arrived || now_ < told.at + told.pause) continue;
+    tell(name, false);
+    told.pause = std::min(told.pause + told.pause, limits_.pause);
+  }
 }
 
 void Merger::ask_again() {
   asked_ = now_;
+  ask_pause_ = ask_pause_ + ask_pause_;
   for (const auto& [name, peer] : peers_) {
     if (needs(peer) && !peer.agreed) tell(name, true);
   }

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
+
 #include "testing/net.hpp"
 #include "testing/parking_lot.hpp"
 
@@ -384,13 +386,85 @@ RC_GTEST_PROP(MergerProperty, NoCircleStandsAndWhoHasWaitedLongIsNotPassed, ()) 
   RC_ASSERT(lot.passed() == 0);
 }
 
-TEST(Merger, SaysAllWithinTheBeatAndNoMore) {
+TEST(Merger, AirIsToldOnceToWhoSaysThatItKnowsIt) {
+  Net net({kA, kB});
+  net.stands(kB, place(200));
+  net.stands(kA, place(0));
+  net.run_for(3);
+  const std::size_t messages = net.messages(), volumes = net.volumes();
+  net.run_for(60);
+  EXPECT_EQ(net.messages(), messages);
+
+  net.give(kA, Hold{{place(50), place(100)}});
+  net.run_for(60);
+  EXPECT_EQ(net.member(kB).others(), (Volumes{place(50), place(100)}));
+  EXPECT_EQ(net.messages(), messages + 2);
+  EXPECT_EQ(net.volumes(), volumes + 2);
+}
+
+TEST(Merger, WhatIsNotKnownToHaveArrivedIsSaidAgainEverMoreRarely) {
   Net net({kA, kB, kC});
   net.stands(kA, place(0));
-  net.run_for(1);
+  net.run_for(3);
+  net.set_radio({.loss = 1});
+  net.give(kA, Hold{{place(50)}});
   const std::size_t before = net.messages();
+  net.run_for(63);
+  EXPECT_EQ(net.messages() - before, 2U * 10) << "after 1, 2, 4, 8, 8, … s to each";
+
+  net.set_radio({});
+  net.run_for(8.1);
+  EXPECT_EQ(net.member(kB).others(), (Volumes{place(50)}));
+  EXPECT_EQ(net.member(kC).others(), (Volumes{place(50)}));
+}
+
+TEST(Merger, WhoWaitsSaysSoOnce) {
+  Net net({kA, kB});
+  net.stands(kA, place(0));
+  net.run_for(3);
+  net.wants(kB, {{place(0)}});
+  net.run_for(3);
+  const std::size_t messages = net.messages();
   net.run_for(60);
-  EXPECT_NEAR(static_cast<double>(net.messages() - before), 2 * 60, 10);
+  EXPECT_EQ(net.messages(), messages);
+}
+
+TEST(Merger, AirIsToldAgainToOneThatForgot) {
+  Net net({kA, kB});
+  net.stands(kA, place(0));
+  net.stands(kB, place(200));
+  net.run_for(10);
+
+  net.forget(kB);
+  net.run_for(0.5);
+
+  EXPECT_EQ(net.member(kB).others(), (Volumes{place(0)}));
+}
+
+// The radio: each message is lost, repeated, late, or passed by a later one.
+RC_GTEST_PROP(MergerProperty, EachKnowsOfEachWhatItHoldsOnceTheRadioWorks, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  Random random(seed);
+  Net net({kA, kB, kC}, Radio{0.02, 0.5, 0.3, 0.2}, seed);
+  for (int change = 0; change < 30; ++change) {
+    const std::string who = std::array{kA, kB, kC}.at(random.below(3));
+    if (random.chance(0.2)) {
+      net.forget(who);
+    } else {
+      net.give(who, Hold{{place(random.uniform(0, 900))}});
+    }
+    net.run_for(random.uniform(0, 2));
+  }
+  net.set_radio({});
+  net.run_for(8.1);
+
+  for (const std::string& one : {kA, kB, kC}) {
+    Volumes held;
+    for (const std::string& other : {kA, kB, kC})
+      if (other != one)
+        held.insert(held.end(), net.member(other).held().begin(), net.member(other).held().end());
+    RC_ASSERT(net.member(one).others() == held);
+  }
 }
 
 }  // namespace

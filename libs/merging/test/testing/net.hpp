@@ -62,6 +62,8 @@ class Net {
     give(other, InReach{one, !is_cut});
   }
 
+  void set_radio(Radio radio) { radio_ = radio; }
+
   /// It comes back with nothing it knew.
   void forget(const std::string& name) {
     members_.erase(name);
@@ -110,10 +112,13 @@ class Net {
   }
   MissionTime now() const { return MissionTime::seconds(now_); }
   std::size_t messages() const { return messages_; }
+  /// That were told, over all messages.
+  std::size_t volumes() const { return volumes_; }
 
  private:
   void send(const std::string& from, const Tell& tell) {
     ++messages_;
+    volumes_ += tell.message.claim.held.size() + tell.message.claim.wanted.size();
     const auto once = [&] {
       if (random_.chance(radio_.loss)) return;
       under_way_.emplace(now_ + radio_.delay + random_.uniform(0, radio_.jitter),
@@ -134,7 +139,7 @@ class Net {
   std::vector<MoveAside> asides_;
   std::set<std::pair<std::string, std::string>> cuts_;
   std::multimap<double, std::pair<std::string, Tell>> under_way_;
-  std::size_t messages_ = 0;
+  std::size_t messages_ = 0, volumes_ = 0;
 };
 
 }  // namespace skein::merging::testing

@@ -39,9 +39,12 @@ struct MergeMessage {
   bool granted = false;  ///< the answer
   bool asks = false;  ///< the sender expects an answer
   std::string of;  ///< from the ground station: the UAV whose message it forwards; empty: its own
+  std::uint64_t version = 0;  ///< number of the first message to the receiver with this air and request; 0: by or to the ground station
+  std::uint64_t known = 0;  ///< version of the receiver's that the sender has; 0: none
+  bool brief = false;  ///< air, request and `waits_for` are left out: the receiver has this version
   bool operator==(const MergeMessage&) const = default;
 };
 SKEIN_WIRE_FIELDS(MergeMessage, header, number, held, request, wanted, waits_for, keeps, answered,
-    granted, asks, of)
+    granted, asks, of, version, known, brief)
 
 }  // namespace skein::wire

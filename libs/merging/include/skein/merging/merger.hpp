@@ -104,12 +104,16 @@ using Effects = std::vector<Effect>;
 
 struct Limits {
   Duration patience = Duration::milliseconds(2'000);  ///< until an unanswered request is given up
-  Duration repeat = Duration::milliseconds(300);      ///< between repetitions of a request
-  Duration again = Duration::milliseconds(250);       ///< from a refusal to the next request
-  Duration beat = Duration::milliseconds(1'000);      ///< between repetitions of the own claim
-  Duration circle = Duration::milliseconds(400);      ///< a circle of waits counts after this time
-  Duration next = Duration::milliseconds(300);        ///< until its next member has to move aside
-  Duration moves = Duration::milliseconds(1'000);     ///< between two MoveAside to the same member
+  Duration repeat =
+      Duration::milliseconds(300);               ///< until a request is repeated; doubled each time
+  Duration again = Duration::milliseconds(250);  ///< from a refusal to the next request
+  /// Until the own claim is told again to a peer that has not said that it has it; then twice as
+  /// long each time, at most `pause`.
+  Duration beat = Duration::milliseconds(1'000);
+  Duration pause = Duration::milliseconds(8'000);
+  Duration circle = Duration::milliseconds(400);   ///< a circle of waits counts after this time
+  Duration next = Duration::milliseconds(300);     ///< until its next member has to move aside
+  Duration moves = Duration::milliseconds(1'000);  ///< between two MoveAside to the same member
   /// After waiting this long a member takes precedence: others do not come to stay in air that it
   /// wants.
   Duration pressing = Duration::milliseconds(240'000);
@@ -178,12 +182,22 @@ class Merger {
   Volumes ends() const;
 
  private:
+  /// This UAV's claim as a peer was told it last.
+  struct Told {
+    Claim claim;
+    std::uint64_t version = 0;
+    bool arrived = false;  ///< the peer has said so
+    MissionTime at;        ///< when it was told last
+    Duration pause;        ///< until it is told again
+  };
   struct Peer {
     bool earlier = false;  ///< in the roster: it decides between the two
     bool reachable = true;
     bool heard = false;
     std::uint64_t number = 0;  ///< of its last message
     Claim claim;
+    std::uint64_t version = 0;  ///< of that claim; 0: from the witness, or none
+    Told told;
     std::uint64_t answered = 0;  ///< its last request that this UAV answered
     bool granted = false;        ///< the answer to that request
     bool agreed = false;         ///< it has granted the open request of this UAV
@@ -209,6 +223,7 @@ class Merger {
   void on(const FirstLife&);
   void on(const Tick&) {}
   void hear_witness(const Message& message);
+  bool take_claim(Peer& peer, const Message& message);
   void answer(Peer& peer);
   bool needs(const Peer& peer) const { return peer.earlier || third_; }
   bool may_agree(const Peer& peer) const;
@@ -229,6 +244,7 @@ class Merger {
   void tell(const std::string& name, bool asks);
   void tell_witness(bool asks);
   bool follows() const;
+  void tell_again();
   void tell_all();
   void ask_again();
   Claim claim() const;
@@ -258,7 +274,8 @@ class Merger {
   MissionTime moved_aside_;  ///< no further MoveAside before
 
   bool changed_ = false;  ///< the claim differs from what peers were told last
-  MissionTime now_, said_, asked_;
+  MissionTime now_, asked_;
+  Duration ask_pause_;  ///< until the open request is repeated
   Effects out_;
 };
 

@@ -30,6 +30,11 @@ struct Message {
   /// sender expects the claims of those it waits for, now and whenever they change.
   bool asks = false;
   std::string of = {};  ///< from the witness: whose claim it forwards; empty: its own answer
+  /// Number of the sender's first message to the receiver with this claim; 0: from or to the
+  /// witness.
+  std::uint64_t version = 0;
+  std::uint64_t known = 0;  ///< version of the receiver's claim that the sender has; 0: none
+  bool brief = false;       ///< `claim` is left out: the receiver has said that it has this version
   bool operator==(const Message&) const = default;
 };
 
