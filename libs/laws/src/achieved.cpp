@@ -60,12 +60,13 @@ std::vector<world::Vector3> places_heard(const History& history, const Uav& uav,
 
 bool circles(const Uav& uav) { return !uav.spec->model.hovers; }
 
-// In place for a place in the air.
+// In place for a place in the air; who keeps to the ground is below it.
 bool is_there(const History& history, const Uav& uav, const Sample& sample,
               const world::Vector3& place, double apart) {
   const double near = wander(history, uav) + apart;
   const world::Vector3 off = sample.position - place;
-  return off.head<2>().norm() <= near && std::abs(off.z()) <= near;
+  const bool high = uav.spec->model.ground || std::abs(off.z()) <= near;
+  return high && off.head<2>().norm() <= near;
 }
 
 // For a place on the ground: within range, in the field of the device, nothing between.

@@ -129,6 +129,21 @@ TEST(Perceived, APlaceInTheAirIsPerceivedFromThere) {
 
   EXPECT_THAT(at(kA1), IsEmpty());
   EXPECT_THAT(at(kFar), SizeIs(1));
+  EXPECT_THAT(at({150, 60, 0}), SizeIs(1));
+}
+
+TEST(Perceived, WhoKeepsToTheGroundPerceivesAPlaceInTheAirFromBelow) {
+  const auto at = [](Vector3 where) {
+    Story story = Story::with_a_robot();
+    story.stands("mana", 0, 100, where);
+    story.goal("mana", 701, "perceive A1 30", "received", 1);
+    story.does("mana", {101, "takeshot", 701, 30, 60, "ended", "visible"});
+    story.goal("mana", 701, "perceive A1 30", "achieved", 60);
+    return story.broken("perceived");
+  };
+
+  EXPECT_THAT(at({150, 60, 0}), IsEmpty());
+  EXPECT_THAT(at({300, 60, 0}), SizeIs(1));
 }
 
 // ---- reached ----
