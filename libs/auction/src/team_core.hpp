@@ -42,6 +42,13 @@ class TeamMember::Core {
     std::optional<Status> news;  ///< last status that is not yet in the ledger
   };
 
+  /// The ledger as a member was told it, which has not said that it has it.
+  struct Telling {
+    std::uint64_t revision = 0;
+    MissionTime again;  ///< it is told again from then on
+    Duration pause;
+  };
+
   // token.cpp
   void on(const Beat& beat, MemberNumber from);
   void on(const Status& status, MemberNumber from);
@@ -55,6 +62,7 @@ class TeamMember::Core {
   void stand(bool trial);
   void hold();
   void beat();
+  bool is_to_be_told(MemberNumber member);
   void commit();
   void let_go_of_missions();
   bool majority(const std::set<MemberNumber>& members) const;
@@ -99,6 +107,7 @@ class TeamMember::Core {
   bool trial_ = false;
   std::set<MemberNumber> votes_;
   std::map<MemberNumber, Known> known_;
+  std::map<MemberNumber, Telling> told_;
   std::uint64_t committed_ = 0;
   bool changed_ = false;
   std::set<MemberNumber> took_part_;  ///< members of the last sale that this member held

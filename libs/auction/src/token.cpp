@@ -168,6 +168,7 @@ void TeamMember::Core::on(const NewerTerm& newer, MemberNumber) { adopt_term(new
 void TeamMember::Core::hold() {
   role_ = Role::kHolder;
   known_.clear();
+  told_.clear();
   wants_.clear();
   held_since_ = now_;
   committed_ = 0;
@@ -179,10 +180,27 @@ void TeamMember::Core::hold() {
 void TeamMember::Core::beat() {
   beat_at_ = now_ + setup_.limits.beat;
   for (const MemberNumber member : others()) {
-    const auto known = known_.find(member);
-    const bool has = known != known_.end() && known->second.last == ledger().revision;
-    tell(member, Beat{disk_.term, committed_, has ? nullptr : disk_.ledger});
+    const auto ledger = is_to_be_told(member) ? disk_.ledger : nullptr;
+    tell(member, Beat{disk_.term, committed_, ledger});
   }
+}
+
+/// Whoever does not answer for longer than a beat is told the ledger ever more rarely: perhaps its
+/// channel carries no more, and would be full of ledgers that come too late.
+bool TeamMember::Core::is_to_be_told(MemberNumber member) {
+  const auto known = known_.find(member);
+  if (known != known_.end() && known->second.last == ledger().revision) return false;
+  constexpr double kRarely = 8;  // beats
+  Telling& telling = told_[member];
+  const Duration beat = setup_.limits.beat;
+  if (telling.pause > beat && now_ < telling.again) return false;
+  if (now_ >= telling.again) {
+    telling.pause = std::clamp(telling.pause + telling.pause, beat,
+                               Duration::seconds(kRarely * beat.to_seconds()));
+    telling.again = now_ + telling.pause;
+  }
+  telling.revision = ledger().revision;
+  return true;
 }
 
 void TeamMember::Core::on(const Beat& beat, MemberNumber from) {
@@ -209,6 +227,8 @@ void TeamMember::Core::on(const Status& status, MemberNumber from) {
   known.bids = status.bids;
   known.revision = std::max(known.revision, status.revision);
   known.news = status;
+  const auto told = told_.find(from);
+  if (told != told_.end() && status.revision >= told->second.revision) told_.erase(told);
 }
 
 // The greatest revision that a majority has.
