@@ -148,11 +148,21 @@ std::optional<double> reached(const History& history, const std::string& one,
   return std::nullopt;
 }
 
+/// [s] For a word about a plan, and as much again that is on its way before it, on the narrowest of
+/// the links.
+double on_the_air(const scenario::RadioSpec& radio) {
+  constexpr double kLongest = 8.0 * 2 * 2'500;  // [bit] a network of some twenty tasks, told whole
+  double least = radio.model.capacity > 0 ? radio.model.capacity : kNever;
+  for (const scenario::LinkSpec& link : radio.links)
+    if (link.capacity.value_or(0) > 0) least = std::min(least, *link.capacity);
+  return kLongest / least;
+}
+
 }  // namespace
 
 // Words of those who died, or to them, may be lost with them.
 std::vector<Violation> plan_words_unheard(const History& history) {
-  constexpr double kWithin = 1;  // [s]
+  const double within = 1 + on_the_air(history.scenario->radio);  // [s]
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
     for (auto word = uav.plan_words.begin(); word != uav.plan_words.end(); ++word) {
@@ -168,9 +178,9 @@ std::vector<Violation> plan_words_unheard(const History& history) {
         return !one.sent && one.other == name && one.at >= word->at;
       });
       const double by = first == heard.end() ? until : std::min(first->at, until);
-      const auto since = reached(history, name, word->other, word->at, by, kWithin);
+      const auto since = reached(history, name, word->other, word->at, by, within);
       if (since)
-        result.push_back({"", *since + kWithin, word->other, 0,
+        result.push_back({"", *since + within, word->other, 0,
                           "what " + name + " said of its plan at " + figure(word->at) +
                               " s is not heard, though they reach each other since " +
                               figure(*since) + " s"});

@@ -109,6 +109,17 @@ TEST(HealedLaw, OneThatIsHeardWithinASecondIsFine) {
   EXPECT_THAT(story.broken("healed"), IsEmpty());
 }
 
+// Found by an outsider's missions: the whole network of a plan is on its way for a second there.
+TEST(HealedLaw, OnANarrowChannelAWordTakesItsTime) {
+  Story heard = parted(20, 50), unheard = parted(20, 50);
+  for (Story* story : {&heard, &unheard}) story->capacity(19'200);
+  heard.plan_word("marvin", "heliv", 30, 52.9);
+  unheard.plan_word("marvin", "heliv", 30, std::nullopt);
+
+  EXPECT_THAT(heard.broken("healed"), IsEmpty());
+  EXPECT_THAT(unheard.broken("healed"), SizeIs(1));
+}
+
 TEST(HealedLaw, OnlyTheLastWordCounts) {
   Story story = parted(20, 50);
   story.plan_word("marvin", "heliv", 30, std::nullopt).plan_word("marvin", "heliv", 40, 50.2);

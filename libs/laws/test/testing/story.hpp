@@ -51,6 +51,11 @@ class Story {
     scenario_.radio.relays.push_back(uav);
     return *this;
   }
+  /// Of each link [bit/s].
+  Story& capacity(double bits_per_second) {
+    scenario_.radio.model.capacity = bits_per_second;
+    return *this;
+  }
   world::Terrain terrain() const { return world::Terrain(scenario_.world.terrain); }
 
   /// Telemetry once a second: from a to b in a straight line, level with a heading along it.
