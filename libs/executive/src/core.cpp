@@ -33,6 +33,21 @@ Effects Executive::Core::handle(const Input& input, MissionTime now) {
   now_ = std::max(now_, now);
   advance();
   std::visit([this](const auto& one) { on(one); }, input);
+  return done();
+}
+
+// running, and a synchronisation    aborting, and at once aborted
+Effects Executive::Core::give_up(TaskId synchronisation, const std::string& why, MissionTime now) {
+  now_ = std::max(now_, now);
+  advance();
+  const std::optional<Slot> slot = plan_.find(synchronisation);
+  const bool waits =
+      slot && plan_[*slot].synchronisation && plan_[*slot].state == TaskState::kRunning;
+  if (waits) interrupt(*slot, why);
+  return done();
+}
+
+Effects Executive::Core::done() {
   settle();
   conditions_.trim_instants();
   while (!timers_.empty() && !counts(timers_.first())) timers_.take();

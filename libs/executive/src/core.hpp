@@ -22,9 +22,11 @@ class Executive::Core {
   explicit Core(Config config);
 
   Effects handle(const Input& input, MissionTime now);
+  Effects give_up(TaskId synchronisation, const std::string& why, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
   const Plan& plan() const { return plan_; }
   const Conditions& conditions() const { return conditions_; }
+  std::vector<Wait> waits() const { return synchroniser_.waits(now_); }
 
  private:
   using Slot = Plan::Slot;
@@ -34,6 +36,7 @@ class Executive::Core {
   void pass_timer(const Timer& timer);
   bool counts(const Timer& timer) const;
   void settle();
+  Effects done();
   bool step();
   void on(const FunctionalStatus& status);
   void on(const SyncReceived& message);

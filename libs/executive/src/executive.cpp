@@ -14,6 +14,10 @@ Executive& Executive::operator=(Executive&&) noexcept = default;
 
 Effects Executive::handle(const Input& input, MissionTime now) { return core_->handle(input, now); }
 
+Effects Executive::give_up(TaskId synchronisation, const std::string& why, MissionTime now) {
+  return core_->give_up(synchronisation, why, now);
+}
+
 std::optional<MissionTime> Executive::next_wakeup() const { return core_->next_wakeup(); }
 
 std::vector<TaskStatus> Executive::tasks() const {
@@ -25,6 +29,8 @@ std::vector<TaskStatus> Executive::tasks() const {
   }
   return all;
 }
+
+std::vector<Wait> Executive::waits() const { return core_->waits(); }
 
 std::uint64_t Executive::changes() const { return core_->plan().changes(); }
 

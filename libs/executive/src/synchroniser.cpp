@@ -28,14 +28,29 @@ bool Synchroniser::counts(const Heard& heard, MissionTime now) const {
   return heard.word == SyncWord::kDone || !validity_ || now - heard.said <= *validity_;
 }
 
+bool Synchroniser::is_there(std::uint64_t id, const std::string& sender, MissionTime now) const {
+  const auto heard = heard_.find(id);
+  if (heard == heard_.end()) return false;
+  const auto one = heard->second.find(sender);
+  return one != heard->second.end() && counts(one->second, now);
+}
+
 bool Synchroniser::all_there(std::uint64_t id, const std::set<std::string>& senders,
                              MissionTime now) const {
-  const auto heard = heard_.find(id);
-  return std::all_of(senders.begin(), senders.end(), [&](const std::string& name) {
-    if (heard == heard_.end()) return false;
-    const auto one = heard->second.find(name);
-    return one != heard->second.end() && counts(one->second, now);
-  });
+  return std::all_of(senders.begin(), senders.end(),
+                     [&](const std::string& name) { return is_there(id, name, now); });
+}
+
+std::vector<Wait> Synchroniser::waits(MissionTime now) const {
+  std::vector<Wait> all;
+  for (const auto& [id, tasks] : waiting_) {
+    for (const auto& [task, awaited] : tasks) {
+      Wait& wait = all.emplace_back(Wait{task, id, awaited.since, {}});
+      for (const std::string& sender : awaited.senders)
+        if (!is_there(id, sender, now)) wait.awaited.push_back(sender);
+    }
+  }
+  return all;
 }
 
 bool Synchroniser::begin(TaskId task, const Synchronisation& synchronisation, MissionTime now) {
@@ -47,7 +62,7 @@ bool Synchroniser::begin(TaskId task, const Synchronisation& synchronisation, Mi
   std::set<std::string> senders(synchronisation.senders.begin(), synchronisation.senders.end());
   senders.erase(own_);
   if (all_there(synchronisation.id, senders, now)) return true;
-  waiting_[synchronisation.id].emplace(task, std::move(senders));
+  waiting_[synchronisation.id].emplace(task, Awaited{std::move(senders), now});
   return false;
 }
 
@@ -60,8 +75,8 @@ std::vector<TaskId> Synchroniser::received(const SyncReceived& message, MissionT
   known->second = heard;
   const auto waiting = waiting_.find(message.id);
   if (waiting == waiting_.end()) return complete;
-  for (const auto& [task, senders] : waiting->second) {
-    if (all_there(message.id, senders, now)) complete.push_back(task);
+  for (const auto& [task, awaited] : waiting->second) {
+    if (all_there(message.id, awaited.senders, now)) complete.push_back(task);
   }
   return complete;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "skein/executive/executive.hpp"
 #include "skein/executive/input.hpp"
 #include "skein/executive/task.hpp"
 
@@ -31,6 +32,8 @@ class Synchroniser {
   bool begin(TaskId task, const Synchronisation& synchronisation, MissionTime now);
   /// The tasks that this message completes, in the order of their ids.
   std::vector<TaskId> received(const SyncReceived& message, MissionTime now);
+  /// The tasks that wait, and for whom, in the order of the synchronisations.
+  std::vector<Wait> waits(MissionTime now) const;
   /// The messages to be repeated to this UAV, one for each synchronisation: in the order of the
   /// tasks, then the withdrawn ones.
   std::vector<std::pair<std::uint64_t, SyncWord>> missed_by(const std::string& name) const;
@@ -51,14 +54,20 @@ class Synchroniser {
     bool done = false;
   };
 
+  struct Awaited {
+    std::set<std::string> senders;
+    MissionTime since;
+  };
+
   bool counts(const Heard& heard, MissionTime now) const;
+  bool is_there(std::uint64_t id, const std::string& sender, MissionTime now) const;
   bool all_there(std::uint64_t id, const std::set<std::string>& senders, MissionTime now) const;
   bool tells(const std::string& name, std::uint64_t id) const;
 
   std::string own_;
   std::optional<Duration> validity_;
   std::map<std::uint64_t, std::map<std::string, Heard>> heard_;
-  std::map<std::uint64_t, std::map<TaskId, std::set<std::string>>> waiting_;  ///< task → senders
+  std::map<std::uint64_t, std::map<TaskId, Awaited>> waiting_;
   std::map<std::string, std::map<TaskId, Sent>> sent_;
   std::map<std::string, std::set<std::uint64_t>> withdrawn_;  ///< synchronisations by addressee
 };

@@ -357,5 +357,40 @@ TEST(SyncValidity, AnotherExecutiveThatTakesTheTaskOverIsThereInItsPlace) {
   EXPECT_THAT(mission.give(Relinquish{}), IsEmpty());
 }
 
+TEST(Synchronise, SaysForWhomItHasWaitedAndSinceWhen) {
+  Mission mission;
+  mission.at(10).start(meeting(1, {"heliv", "karma"}, {"marvin"}));
+  mission.at(20).start(meeting(2, {"karma"}, {"marvin"}));
+  mission.at(30).sync_from("heliv");
+
+  const std::vector<Wait> waits = mission.executive.waits();
+  ASSERT_THAT(waits, SizeIs(2));
+  EXPECT_EQ(waits[0].since, MissionTime::seconds(10));
+  EXPECT_THAT(waits[0].awaited, ElementsAre("karma"));
+  EXPECT_EQ(waits[1].id, TaskId(2));
+  mission.sync_from("karma");
+  EXPECT_THAT(mission.executive.waits(), IsEmpty());
+}
+
+TEST(Synchronise, AWaitThatIsGivenUpIsAbortedForThatReason) {
+  Mission mission;
+  mission.start(rendezvous(1));
+
+  EXPECT_THAT(mission.give_up(1, "no contact with 'heliv' since 3 s"),
+              ElementsAre("1 aborting", "1 aborted"));
+  EXPECT_EQ(mission.reason_of(1), "no contact with 'heliv' since 3 s");
+  EXPECT_EQ(mission.executive.find(TaskId{1})->cause, AbortCause::kOther);
+}
+
+TEST(Synchronise, OnlyAWaitIsGivenUp) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.runs(1);
+  mission.start(rendezvous(2));
+  mission.sync_from("heliv");
+
+  for (const std::uint64_t id : {1, 2, 3}) EXPECT_THAT(mission.give_up(id, "why"), IsEmpty()) << id;
+}
+
 }  // namespace
 }  // namespace skein::executive

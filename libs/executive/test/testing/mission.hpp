@@ -87,13 +87,9 @@ class Mission {
     now = MissionTime::seconds(instant);
     return *this;
   }
-  Words give(const Input& input) {
-    effects = executive.handle(input, now);
-    notices.clear();
-    for (const Effect& effect : effects) {
-      if (const auto* notice = std::get_if<Notice>(&effect)) notices.push_back(notice->text);
-    }
-    return show_happenings(effects);
+  Words give(const Input& input) { return show(executive.handle(input, now)); }
+  Words give_up(std::uint64_t id, const std::string& why) {
+    return show(executive.give_up(TaskId{id}, why, now));
   }
   Words start(const Task& task, InsertionMode mode = InsertionMode::kSeq) {
     return give(Start{task, mode});
@@ -131,6 +127,16 @@ class Mission {
   MissionTime now;
   Effects effects;
   std::vector<std::string> notices;
+
+ private:
+  Words show(Effects happened) {
+    effects = std::move(happened);
+    notices.clear();
+    for (const Effect& effect : effects) {
+      if (const auto* notice = std::get_if<Notice>(&effect)) notices.push_back(notice->text);
+    }
+    return show_happenings(effects);
+  }
 };
 
 }  // namespace skein::executive::testing

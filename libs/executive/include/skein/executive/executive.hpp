@@ -49,6 +49,14 @@ struct TaskView {
   AbortCause cause;
 };
 
+/// A running synchronisation task that waits for partners.
+struct Wait {
+  TaskId id;
+  std::uint64_t synchronisation = 0;
+  MissionTime since;
+  std::vector<std::string> awaited;  ///< senders whose message is missing, in order
+};
+
 /// Keeps a plan of tasks with event-driven dependencies and executes it. It reasons on dependencies
 /// only; the content of a task is for the functional layer (of a joint task, for the supervisor).
 ///
@@ -87,6 +95,9 @@ class Executive {
   /// Processes first the instants up to and including `now`, in order, each as an event of its own;
   /// then the input. A `now` before the last one counts as the last one.
   Effects handle(const Input& input, MissionTime now);
+  /// A running synchronisation waits for its partners no longer: it is aborted, for this reason.
+  /// Instants up to `now` are processed first, as in handle(). No effect on any other task.
+  Effects give_up(TaskId synchronisation, const std::string& why, MissionTime now);
 
   /// The next instant of a time condition or a timer; call handle(Tick{}, …) then. Absent: none.
   std::optional<MissionTime> next_wakeup() const;
@@ -94,6 +105,8 @@ class Executive {
   /// The tasks of the plan in the order of their ids, background routine included. Cost: O(n),
   /// n tasks in the plan.
   std::vector<TaskStatus> tasks() const;
+  /// Cost: linear in the number of waiting tasks and their senders.
+  std::vector<Wait> waits() const;
   /// Grows whenever what tasks() gives may have changed, and never decreases. Cost: O(1).
   std::uint64_t changes() const;
   /// Absent: never started, or suppressed.
