@@ -37,6 +37,7 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
     config.interaction = scenario.interaction;
     config.horizon = scenario.planning->horizon;
     config.consistency = scenario.planning->consistency;
+    config.partner_lease = scenario.planning->partner_lease;
     if (first != first_ids.end()) config.first_task = first->second;
   }
   const node::Roster roster = scenario_setup::roster_of(scenario);

@@ -5,6 +5,7 @@
 #include "skein/ground/ground_node.hpp"
 #include "skein/journal/lines/mission.hpp"
 #include "skein/journal/lines/team.hpp"
+#include "skein/mission/lost_uav.hpp"
 #include "skein/team_translation/team.hpp"
 #include "skein/team_translation/team_lines.hpp"
 
@@ -15,6 +16,9 @@ namespace lines = journal::lines;
 namespace {
 
 namespace gs = ground_station;
+
+/// Who is out of reach for so long is not told any more that another one is lost.
+constexpr Duration kStillNews = Duration::milliseconds(600'000);
 
 }  // namespace
 
@@ -73,7 +77,13 @@ void GroundNode::tell_team(const gs::TeamDesk::Input& input) {
 
 void GroundNode::carry_out(const gs::DeclareLost& effect) {
   log(lines::LostUav{effect.uav});
-  tell_team(effect);
+  if (team_) tell_team(effect);
+  const executive::ProcessMessage told{mission::lost_message(effect.uav)};
+  for (const auto& [number, name] : roster_.names()) {
+    if (!inbox_.is_uav(number) || name == effect.uav) continue;
+    tell_control(gs::OperatorCommand{name, told, kStillNews});
+  }
+  carry_out(roles_.declare_lost(effect.uav, now_));
 }
 
 void GroundNode::carry_out(const gs::TeamTell& effect) {

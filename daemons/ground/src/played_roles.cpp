@@ -75,6 +75,11 @@ class Said {
   node::Effects& out_;
 };
 
+void add(PlayedRoles::Outcome one, PlayedRoles::Outcome& all) {
+  all.out.insert(all.out.end(), one.out.begin(), one.out.end());
+  all.control.insert(all.control.end(), one.control.begin(), one.control.end());
+}
+
 }  // namespace
 
 PlayedRoles::PlayedRoles(std::vector<dn::Config> uavs, const node::Roster& roster)
@@ -92,6 +97,14 @@ PlayedRoles::Outcome PlayedRoles::tell(const std::string& uav, const dn::StandIn
   return outcome_of(uav, found->second.handle(input, now), now);
 }
 
+PlayedRoles::Outcome PlayedRoles::declare_lost(const std::string& lost, MissionTime now) {
+  Outcome all;
+  for (auto& [uav, stand_in] : uavs_)
+    if (stand_in.plays())
+      add(outcome_of(uav, stand_in.handle(dn::PartnerLost{lost}, now), now), all);
+  return all;
+}
+
 PlayedRoles::Heard PlayedRoles::hear(const std::string& uav, const wire::Sample& sample,
                                      MissionTime now) {
   const auto found = uavs_.find(uav);
@@ -105,9 +118,7 @@ PlayedRoles::Outcome PlayedRoles::time_passes(MissionTime now) {
   for (auto& [uav, stand_in] : uavs_) {
     const auto next = stand_in.next_wakeup();
     if (!next || *next > now) continue;
-    Outcome one = outcome_of(uav, stand_in.handle(dn::Tick{}, now), now);
-    all.out.insert(all.out.end(), one.out.begin(), one.out.end());
-    all.control.insert(all.control.end(), one.control.begin(), one.control.end());
+    add(outcome_of(uav, stand_in.handle(dn::Tick{}, now), now), all);
   }
   return all;
 }

@@ -61,6 +61,7 @@ std::vector<decision_node::Config> played_by_ground(const Scenario& scenario) {
         std::make_shared<supervisor::Knowledge>(deliberation_setup::knowledge_of(scenario, uav));
     config.world = std::make_shared<world::World>(deliberation_setup::world_of(scenario).value());
     config.interaction = scenario.interaction;
+    config.partner_lease = scenario.planning->partner_lease;
   }
   return played;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core.hpp"
 
+#include <algorithm>
+
 #include "routes.hpp"
 #include "skein/mission/degree.hpp"
 
@@ -9,6 +11,7 @@ namespace skein::decision_node {
 Core::Core(Config config)
     : config_(std::move(config)),
       commands_(bus_),
+      partners_(config_.partner_lease),
       own_tasks_(bus_, execution_),
       vehicle_(bus_, own_tasks_, merging_),
       merging_(*this),
@@ -39,6 +42,7 @@ std::optional<MissionTime> Core::next_wakeup() const {
 }
 
 void Core::on(const Started& started) {
+  partners_.start(bus_.now());
   merging_.begin(started);
   interaction_.start();
   autonomy_.start();
@@ -125,7 +129,7 @@ void Core::on(const world::Telemetry& telemetry) {
 }
 
 void Core::on(const Contact& contact) {
-  interaction_.contact(contact);
+  partners_.contact(contact, bus_.now());
   voice_.contact(contact);
   team_.contact(contact);
   merging_.contact(contact);
@@ -133,6 +137,17 @@ void Core::on(const Contact& contact) {
   if (contact.ground) safekeeping_.ground_heard(contact.reachable, bus_.now());
   if (!contact.reachable) return;
   for (Component* one : components()) one->peer_in_reach(contact.peer);
+}
+
+void Core::declare_lost(const std::string& uav) {
+  const std::vector<std::string>& others = config_.others;
+  if (std::find(others.begin(), others.end(), uav) == others.end()) return;
+  partners_.declare_lost(uav);
+  bus_.emit(Notice{"'" + uav + "' is declared lost: nobody here waits for it any more"});
+  bus_.post([this] {
+    execution_.give_up_on_partners();
+    interaction_.time_passes();
+  });
 }
 
 // It is asked, not supposed: one that has not forgotten after all says what it told before.

@@ -16,6 +16,7 @@
 #include "meetings/meetings.hpp"
 #include "merging/merging.hpp"
 #include "own_tasks.hpp"
+#include "partners.hpp"
 #include "safekeeping.hpp"
 #include "skein/decision_node/decision_node.hpp"
 #include "team/team.hpp"
@@ -34,6 +35,7 @@ class Core {
   int degree() const { return autonomy_.degree(); }
   Bus& bus() { return bus_; }
   Commands& commands() { return commands_; }
+  Partners& partners() { return partners_; }
   OwnTasks& own_tasks() { return own_tasks_; }
   Vehicle& vehicle() { return vehicle_; }
   Execution& execution() { return execution_; }
@@ -46,6 +48,8 @@ class Core {
   Autonomy& autonomy() { return autonomy_; }
   Safekeeping& safekeeping() { return safekeeping_; }
 
+  /// An operator says that this UAV is lost: nobody here waits for it any more.
+  void declare_lost(const std::string& uav);
   /// Tells every component that a task entered a state, whichever executive has it, if any.
   void tell_task(const executive::TaskEvent& event);
   /// Interrupts a task that the functional layer was given.
@@ -96,6 +100,7 @@ class Core {
   Config config_;
   Bus bus_;
   Commands commands_;
+  Partners partners_;
   OwnTasks own_tasks_;
   Vehicle vehicle_;
   Merging merging_;

@@ -5,6 +5,7 @@
 
 #include "core.hpp"
 #include "skein/foundation/overloaded.hpp"
+#include "skein/mission/lost_uav.hpp"
 
 namespace skein::decision_node {
 
@@ -51,6 +52,8 @@ void Execution::take(const Command& command) {
   if (start != nullptr && start->task.id >= functional::kFirstRoleId) {
     return core_.commands().refuse(command, kOwnIds);
   }
+  if (const auto* message = std::get_if<executive::ProcessMessage>(&command.request))
+    if (const auto lost = mission::uav_lost_in(message->message)) core_.declare_lost(*lost);
   post({input_of(command.request), By::kNode, command});
 }
 
@@ -62,7 +65,72 @@ void Execution::vehicle_told(const world::Telemetry& telemetry) {
 
 void Execution::peer_in_reach(const std::string& peer) { run(executive::PeerReachable{peer}); }
 
-void Execution::time_passes() { run(executive::Tick{}); }
+void Execution::time_passes() {
+  run(executive::Tick{});
+  give_up_on_partners();
+}
+
+std::optional<MissionTime> Execution::next_wakeup() const {
+  std::optional<MissionTime> next = executive_.next_wakeup();
+  for (const executive::Wait& wait : executive_.waits()) {
+    for (const std::string& uav : wait.awaited) {
+      if (!has_lease(uav)) continue;
+      next = earliest(next, core_.partners().gives_up_at(uav, wait.since));
+      next = earliest(next, stays_away_until(wait, uav));
+    }
+  }
+  return next;
+}
+
+// Below degree 4 somebody else decides how long is waited, for whom else says that it is there,
+// too.
+bool Execution::has_lease(const std::string& uav) const {
+  return mission::deliberates(core_.degree()) && synchronises_directly(uav);
+}
+
+// In reach and without the meeting in its plan it may get it yet, for as long as one that is silent
+// may come.
+std::optional<MissionTime> Execution::stays_away_until(const executive::Wait& wait,
+                                                       const std::string& uav) const {
+  const auto said = degrees_.find(uav);
+  if (said != degrees_.end() && !mission::deliberates(said->second)) return std::nullopt;
+  if (core_.partners().silent_since(uav)) return std::nullopt;
+  const auto since = core_.meetings().stays_away_since(uav, wait.synchronisation);
+  if (!since) return std::nullopt;
+  const auto before = stayed_away_.find({uav, wait.synchronisation});
+  const bool again = before != stayed_away_.end() && before->second >= *since;
+  return again ? wait.since : std::max(*since, wait.since) + core_.partners().lease();
+}
+
+std::optional<std::string> Execution::why_given_up(const executive::Wait& wait,
+                                                   const std::string& uav) {
+  const MissionTime now = core_.bus().now();
+  const bool leased = has_lease(uav);
+  if (leased || core_.partners().is_declared_lost(uav))
+    if (auto why = core_.partners().given_up(uav, wait.since, now)) return why;
+  const auto until = leased ? stays_away_until(wait, uav) : std::nullopt;
+  if (!until || *until > now) return std::nullopt;
+  stayed_away_[{uav, wait.synchronisation}] = now;
+  return "'" + uav + "' does not plan to come to synchronisation " +
+         std::to_string(wait.synchronisation);
+}
+
+void Execution::give_up(functional::TaskId wait, const std::string& why) {
+  const Asked nobody{executive::Tick{}, By::kNobody};
+  for (const executive::Effect& effect : executive_.give_up(wait, why, core_.bus().now()))
+    std::visit([&](const auto& one) { carry_out(one, nobody); }, effect);
+}
+
+void Execution::give_up_on_partners() {
+  for (const executive::Wait& wait : executive_.waits()) {
+    for (const std::string& uav : wait.awaited) {
+      const auto why = why_given_up(wait, uav);
+      if (!why) continue;
+      core_.bus().post([this, id = wait.id, why = *why] { give_up(id, why); });
+      break;
+    }
+  }
+}
 
 void Execution::take(const SyncMessage& message) {
   SyncMessage& last = syncs_[{message.id, message.from}];

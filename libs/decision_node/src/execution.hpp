@@ -22,13 +22,16 @@ class Execution final : public Component {
   void vehicle_told(const world::Telemetry& telemetry) override;
   void peer_in_reach(const std::string& peer) override;
   void time_passes() override;
-  std::optional<MissionTime> next_wakeup() const override { return executive_.next_wakeup(); }
+  std::optional<MissionTime> next_wakeup() const override;
 
   /// Queues an input for the executive, behind those already queued. `by`: who gets the answer.
   enum class By { kNode, kSupervisor, kNobody };
   void run(executive::Input input, By by = By::kNode);
   void take(const SyncMessage& message);
   void take(const DegreeTold& told) { degrees_[told.from] = told.degree; }
+
+  /// Aborts synchronisations that wait for a partner that is given up.
+  void give_up_on_partners();
 
   /// Whether the executive has this task, unfinished.
   bool holds(functional::TaskId id) const;
@@ -52,6 +55,13 @@ class Execution final : public Component {
   void post(Asked asked);
   /// Whether synchronisation messages to `uav` are sent directly, not through the ground station.
   bool synchronises_directly(const std::string& uav) const;
+  /// Whether a wait for `uav` ends after its lease: both deliberate, or nobody else would end it.
+  bool has_lease(const std::string& uav) const;
+  std::optional<MissionTime> stays_away_until(const executive::Wait& wait,
+                                              const std::string& uav) const;
+  /// Why the partner is waited for no longer; absent: it is.
+  std::optional<std::string> why_given_up(const executive::Wait& wait, const std::string& uav);
+  void give_up(functional::TaskId wait, const std::string& why);
   void note_over(functional::TaskId id);
   void handle(const Asked& asked);
   void carry_out(const executive::TaskEvent& event, const Asked& asked);
@@ -67,6 +77,9 @@ class Execution final : public Component {
   bool airborne_ = false;
   /// The last message received of each synchronisation and sender.
   std::map<std::pair<std::uint64_t, std::string>, SyncMessage> syncs_;
+  /// When a partner without the synchronisation in its plan was last given up; a goal that is
+  /// planned anew does not wait for it again.
+  std::map<std::pair<std::string, std::uint64_t>, MissionTime> stayed_away_;
   /// Degrees of other UAVs, as far as known.
   std::map<std::string, mission::Degree> degrees_;
   /// Tasks of the plan that are over, in the order of their ends.

@@ -42,6 +42,14 @@ std::vector<Violation> plan_words_unheard(const History& history);
 /// A partner does not come to the meeting of a goal: its own goal for it failed, or it has none, or
 /// it waits at another meeting for one that never comes.
 bool partner_never_comes(const History& history, const Uav& uav, const Goal& goal);
+/// Since when no goal of the partner has the meeting of this goal: those that had failed or were
+/// cancelled; 0: there was none. Absent: the partner comes, or came, or the goal has no meeting.
+std::optional<double> stays_away_since(const Uav& uav, const Goal& goal, const Uav& partner);
+// partners.cpp
+std::vector<Violation> absent_partners_awaited(const History& history);
+/// Why it is untrue that a partner has been silent since then, if the reason says so.
+std::optional<std::string> untrue_silence(const History& history, const Uav& uav,
+                                          const std::string& why, double at);
 // joint_tasks.cpp
 std::vector<Violation> roles_held_twice(const History& history);
 std::vector<Violation> agreements_apart(const History& history);

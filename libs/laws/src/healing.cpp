@@ -24,6 +24,8 @@ using journal::Written;
 
 /// So often may a healthy radio break a law.
 constexpr double kHardlyEver = 1e-6;
+/// Who is told that a link is up has what waited by then.
+constexpr Duration kTold = Duration::milliseconds(1'000);
 
 using Channel = std::pair<std::string, std::string>;  ///< from, to
 
@@ -218,9 +220,13 @@ HealingLimits healing_limits(const scenario::Scenario& scenario) {
   if (scenario.variations.loss) loss = std::max(loss, scenario.variations.loss->high);
   if (scenario.variations.latency)
     latency = std::max(latency, Duration::seconds(scenario.variations.latency->high));
+  HealingLimits limits;
+  if (loss == 0 && radio.model.capacity == 0 && !radio.silent) {
+    limits.healing = kTold + latency + latency;
+    return limits;
+  }
   double heartbeats = 3;
   if (loss > 0) heartbeats = std::max(heartbeats, 2 + std::log(kHardlyEver) / std::log(loss));
-  HealingLimits limits;
   limits.healing = Duration::seconds(heartbeats * radio.heartbeat.to_seconds()) + latency + latency;
   return limits;
 }

@@ -169,8 +169,9 @@ bool left_without_knowing(const JointHistory& history, const JointTold& aborted,
   });
   const double end = ended.phases.back().at;
   if (left == aborted.phases.end() || left->at <= end) return false;
-  return left->why == "interrupted" || (left->why == "no contact with '" + ended.uav + "'" &&
-                                        history.cut_off(aborted.uav, ended.uav, end, left->at));
+  return left->why == "interrupted" ||
+         (left->why.starts_with("no contact with '" + ended.uav + "'") &&
+          history.cut_off(aborted.uav, ended.uav, end, left->at));
 }
 
 std::vector<Violation> joint_tasks_apart(const History& history) {

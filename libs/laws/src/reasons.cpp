@@ -66,6 +66,7 @@ std::optional<std::string> contradiction(const History& history, const Uav& uav,
   if (says(why, "must start while")) return "tasks of its own plan contradict each other";
   if (says(why, "half a cell")) return "nobody can set that cell";
   if (auto untrue = untimely(history, uav, why, at)) return untrue;
+  if (auto untrue = untrue_silence(history, uav, why, at)) return untrue;
   const bool any_closed = std::any_of(uav.closings.begin(), uav.closings.end(),
                                       [&](const Closing& one) { return one.known <= at + 1; });
   if (says(why, "closed air") && !any_closed) return "no air is closed";
@@ -208,7 +209,9 @@ std::vector<Violation> feasible_but_failed(const History& history) {
     for (const auto& [id, goal] : uav.goals) {
       const Change& last = goal.changes.back();
       const bool spent = last.at >= spent_from(history, uav) && says(last.why, "energy");
-      if (goal.state() != "failed" || spent || left_alone(history, uav, goal) ||
+      const bool in_vain = says(last.why, "does not plan to come to synchronisation") &&
+                           partner_never_comes(history, uav, goal);
+      if (goal.state() != "failed" || spent || in_vain || left_alone(history, uav, goal) ||
           would_make_another_late(history, goal))
         continue;
       result.push_back({"", goal.changes.back().at, name, id,

@@ -114,6 +114,19 @@ bool partner_never_comes(const History& history, const Uav& uav, const Goal& goa
   return never_come(history, uav, goal, asked_before);
 }
 
+std::optional<double> stays_away_since(const Uav& uav, const Goal& goal, const Uav& partner) {
+  const auto meeting = meeting_of(uav, goal.task);
+  if (!meeting) return std::nullopt;
+  double since = 0;
+  for (const auto& [id, other] : partner.goals) {
+    const auto theirs = meeting_of(partner, other.task);
+    if (!theirs || theirs->id != meeting->id) continue;
+    if (!other.settled() || other.state() == "achieved") return std::nullopt;
+    since = std::max(since, other.changes.back().at);
+  }
+  return since;
+}
+
 std::vector<Violation> synchronisations_apart(const History& history) {
   std::vector<Violation> result;
   for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {

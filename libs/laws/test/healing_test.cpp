@@ -170,7 +170,13 @@ TEST(Events, OfTheLastMomentOrToTheDeadAreNotMissed) {
 TEST(HealingLimits, FollowFromTheRadio) {
   scenario::Scenario scenario;
   scenario.radio.model.latency = Duration::seconds(0.1);
-  EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(3.2));
+  EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(1.2));
+
+  scenario.radio.silent = true;
+  EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(3.2)) << "by heartbeats";
+  scenario.radio.silent = false;
+  scenario.radio.model.capacity = 9600;
+  EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(3.2)) << "what waited takes time";
 
   scenario.radio.heartbeat = Duration::seconds(2);
   EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(6.2));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/mission_lab/mission.hpp"
 
+#include <cmath>
 #include <sstream>
 
 #include "skein/foundation/joined.hpp"
@@ -50,6 +51,7 @@ void team(std::ostream& out, const Mission& m, const std::string& scenarios) {
       << "  altitude: 40\n  voxel: 20\n  risk: 0.2\n  altitudes: {" << altitudes
       << "}\n  first_ids: {" << ids << "}\n";
   if (m.consistency != "dip-m") out << "  consistency: " << m.consistency << "\n";
+  if (m.partner_lease > 0) out << "  partner_lease: " << std::lround(m.partner_lease) << "\n";
   if (m.joint) {
     out << "\ninteraction: " << scenarios << "/models/interaction/monitoring-with-relay.yaml\n";
   }

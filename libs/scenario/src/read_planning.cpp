@@ -87,7 +87,7 @@ std::optional<PlanningSpec> read_planning(const Reader& reader, const std::strin
   if (!reader.present()) return std::nullopt;
   PlanningSpec planning;
   if (!reader.keys({"domain", "altitude", "voxel", "ceiling", "risk", "horizon", "first_ids",
-                    "altitudes", "consistency"})) {
+                    "altitudes", "consistency", "partner_lease"})) {
     return planning;
   }
   const Reader domain = reader.required("domain");
@@ -104,6 +104,9 @@ std::optional<PlanningSpec> read_planning(const Reader& reader, const std::strin
   planning.ground = read_risk(reader.optional("risk"));
   planning.horizon = read_seconds(reader.optional("horizon"), planning.horizon);
   planning.consistency = read_consistency(reader.optional("consistency"));
+  planning.partner_lease =
+      Duration::seconds(reader.optional("partner_lease")
+                            .number(planning.partner_lease.to_seconds(), {60, 86'400, "s"}));
   planning.first_ids = read_by_uav(reader.optional("first_ids"), names, read_first_id);
   return planning;
 }

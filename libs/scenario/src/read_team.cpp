@@ -151,7 +151,6 @@ ground_station::Action read_global_mission(const Reader& reader, TaskContext& co
 
 ground_station::Action read_declare_lost(const Reader& reader, TaskContext& context) {
   reader.keys({"uav"});
-  if (!context.scenario.team) reader.error("the scenario has no team", kTeamWanted);
   return ground_station::DeclareLost{
       reader.required("uav").name_among(context.names.uavs, "a UAV")};
 }

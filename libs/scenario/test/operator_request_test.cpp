@@ -49,7 +49,7 @@ TEST(RequestReader, TakesOneActionByItself) {
 }
 
 // An operator of a team gives what its script gives.
-TEST(RequestReader, TakesMissionsOfTheTeamAndWhoIsLostWhereThereIsATeam) {
+TEST(RequestReader, TakesMissionsOfTheTeamWhereThereIsATeam) {
   auto two = read_scenario(SKEIN_SOURCE_DIR "/scenarios/team/two.yaml");
   ASSERT_TRUE(two.has_value()) << to_text(two.error());
   RequestReader reads(std::make_shared<const Scenario>(std::move(*two)));
@@ -60,7 +60,15 @@ TEST(RequestReader, TakesMissionsOfTheTeamAndWhoIsLostWhereThereIsATeam) {
 
   ASSERT_TRUE(deeds.has_value()) << to_text(deeds.error());
   EXPECT_EQ(deeds->size(), 2U);
-  EXPECT_THAT(problems_of("{declare_lost: {uav: heliv}}"), HasSubstr("the scenario has no team"));
+  EXPECT_THAT(
+      problems_of("{global_mission: {id: 7, tasks: [{id: 71, task: [perceive, west, 5]}]}}"),
+      HasSubstr("the scenario has no team"));
+}
+
+// Nobody waits for it any more, with a team or without.
+TEST(RequestReader, TakesWhoIsLostWithoutATeamToo) {
+  EXPECT_TRUE(reader().read("{declare_lost: {uav: heliv}}").has_value());
+  EXPECT_THAT(problems_of("{declare_lost: {uav: krama}}"), HasSubstr("did you mean"));
 }
 
 TEST(RequestReader, PutsAWayOverTheGroundItIsFlownOver) {

@@ -55,7 +55,8 @@ SKEIN_WRONG_PLANNING(
           "13:11: planning.domain: missing\n"},
     Wrong{"UnknownKey", "first_ids", "first_id",
           "13:54: planning.first_id: unknown key 'first_id'; expected one of domain, altitude, "
-          "voxel, ceiling, risk, horizon, first_ids, altitudes, consistency; did you mean "
+          "voxel, ceiling, risk, horizon, first_ids, altitudes, consistency, partner_lease; did "
+          "you mean "
           "'first_ids'?\n"},
     Wrong{
         "FirstIdOfAStranger", "first_ids: {karma", "first_ids: {krama",
@@ -63,6 +64,8 @@ SKEIN_WRONG_PLANNING(
     Wrong{"ConsistencyByNothing", "first_ids: {karma: 100}", "consistency: dip-x",
           "13:57: planning.consistency: 'dip-x'; expected one of dip-m, dip-l, dip-g, cip, none"
           "; did you mean 'dip-m'?\n"},
+    Wrong{"PartnerLeaseOfLessThanAMinute", "first_ids: {karma: 100}", "partner_lease: 59",
+          "13:59: planning.partner_lease: '59'; expected a number from 60 to 86400 s\n"},
     Wrong{"FirstIdOfNothing", "{karma: 100}", "{karma: 0}",
           "13:63: planning.first_ids.karma: '0'; expected a whole number from 1 to 400000000\n"},
     Wrong{

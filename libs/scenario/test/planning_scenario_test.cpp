@@ -67,6 +67,13 @@ TEST(Planning, IsKeptConsistentByTheAlgorithmThatIsNamed) {
   EXPECT_EQ(by("none"), std::nullopt);
 }
 
+TEST(Planning, SaysHowLongASilentPartnerIsWaitedFor) {
+  EXPECT_EQ(read_valid(planning_scenario_with()).planning->partner_lease, Duration::seconds(600));
+  const Scenario scenario =
+      read_valid(planning_scenario_with("first_ids:", "partner_lease: 90, first_ids:"));
+  EXPECT_EQ(scenario.planning->partner_lease, Duration::seconds(90));
+}
+
 TEST(Planning, IsKeptWithTheTextOfItsDomain) {
   const Scenario scenario = read_valid(planning_scenario_with());
 

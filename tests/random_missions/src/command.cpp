@@ -35,8 +35,8 @@ struct Options {
   std::string save, consistency;
   bool clean = false, deaths = false, team = false, crossing = false, merged = false,
        unmerged = false, sweeps = false, meetings = false, orders = false, gatherings = false,
-       robots = false, relays = false, fires = false, hands = false, mixed = false,
-       sweepers = false, json = false, minimise = false, verbose = false;
+       robots = false, relays = false, partners = false, fires = false, hands = false,
+       mixed = false, sweepers = false, json = false, minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -65,6 +65,7 @@ Kinds kinds_of(const Options& options) {
 
 Mission drawn_as_kind(std::uint64_t seed, const Options& options) {
   if (options.meetings) return generate_meetings(seed, kinds_of(options));
+  if (options.partners) return generate_partners(seed, kinds_of(options));
   if (options.relays) return generate_relays(seed, kinds_of(options));
   if (options.fires) return generate_fires(seed, kinds_of(options));
   if (options.hands) return generate_orders(seed, kinds_of(options));
@@ -208,6 +209,8 @@ void declare(CLI::App& app, Options& options) {
       app.add_flag("--robots", options.robots, "some of the vehicles keep to the ground");
   auto* relays =
       app.add_flag("--relays", options.relays, "some of the UAVs are heard past relays alone");
+  auto* apart = app.add_flag("--partners", options.partners,
+                             "partners of joint tasks and synchronisations die or are cut off");
   auto* fires =
       app.add_flag("--fires", options.fires, "fires spread, and their fronts are followed");
   auto* hands = app.add_flag("--hands", options.hands,
@@ -216,8 +219,8 @@ void declare(CLI::App& app, Options& options) {
       app.add_flag("--mixed", options.mixed,
                    "all of it in one mission: a team, others at degree 4, vehicles on the "
                    "ground, relays, fires, operators");
-  for (auto* one : {team, crossing, sweepers, meetings, robots, relays, fires, hands})
-    for (auto* other : {crossing, sweepers, meetings, robots, relays, fires, hands, mixed})
+  for (auto* one : {team, crossing, sweepers, meetings, robots, relays, apart, fires, hands})
+    for (auto* other : {crossing, sweepers, meetings, robots, relays, apart, fires, hands, mixed})
       if (one != other) one->excludes(other);
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")

@@ -70,6 +70,22 @@ TEST(Generate, CrossingMissionsAreScenariosInWhichSomeUavsShareAPad) {
   EXPECT_GT(shared, 10);
 }
 
+TEST(Generate, PartnersThatStayAwayAreScenariosInWhichOneDiesIsCutOffOrIsDeclaredLost) {
+  Kinds kinds;
+  kinds.deaths = true;
+  std::string all;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const std::string text = to_yaml(generate_partners(seed, kinds), "..");
+    EXPECT_EQ(to_yaml(generate_partners(seed, kinds), ".."), text);
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    all += text;
+  }
+  for (const char* part :
+       {"monitoring-with-relay, J1", "synchro, 500", "restart_after", "kill: uav",
+        "declare_lost: {uav: uav", "between: [uav", "partner_lease: 600"})
+    EXPECT_THAT(all, HasSubstr(part));
+}
+
 TEST(Generate, SweepsOfCrossingMissionsChangeNothingElse) {
   Kinds kinds;
   kinds.sweeps = true;

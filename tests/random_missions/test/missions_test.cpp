@@ -91,6 +91,14 @@ TEST(RandomMissions, UavsThatMeetKeepTheLaws) {
   EXPECT_EQ(breaches({}, missions() / 5, generate_meetings), "");
 }
 
+// One of them dies, is cut off or stays away in whatever phase: who waits for it does so for its
+// lease.
+TEST(RandomMissions, UavsWhosePartnersStayAwayKeepTheLaws) {
+  Kinds deaths;
+  deaths.deaths = true;
+  EXPECT_EQ(breaches(deaths, missions() / 5, generate_partners), "");
+}
+
 // However plans are kept consistent, dates are foretold and kept.
 TEST(RandomMissions, UavsThatMeetKeepTheLawsByEachAlgorithm) {
   for (const char* consistency : {"dip-l", "dip-g", "cip"}) {

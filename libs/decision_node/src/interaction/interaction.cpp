@@ -11,6 +11,8 @@ namespace skein::decision_node {
 namespace {
 
 constexpr std::uint32_t kMission = 1;
+/// What is over is tried again within minutes, if at all.
+constexpr Duration kForgotten = Duration::milliseconds(3'600'000);
 
 using Kind = interaction::NegotiationOutcome::Kind;
 
@@ -18,13 +20,7 @@ using Kind = interaction::NegotiationOutcome::Kind;
 
 Interaction::Interaction(JointHost& host) : host_(host), sightings_(host.config().uav) {}
 
-std::optional<MissionTime> Interaction::silent_since(const std::string& uav) const {
-  const auto known = silent_since_.find(uav);
-  return known == silent_since_.end() ? born_ : known->second;
-}
-
 void Interaction::start() {
-  born_ = host_.bus().now();
   manager_.emplace(host_.config().uav, kMission, interaction::standard_modalities(),
                    interaction::NegotiationLimits{}, host_.bus().now());
 }
@@ -32,6 +28,7 @@ void Interaction::start() {
 // ---- joint tasks ----
 
 void Interaction::load(const supervisor::LoadJointTask& asked) {
+  forget_what_is_over();
   const auto known = tasks_.find(asked.task.id);
   if (asked.preferences.empty()) {
     if (known != tasks_.end()) known->second->leave("it is not wanted any more");
@@ -69,6 +66,20 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
   task = std::make_unique<JointTask>(host_, *this, std::move(*joint), std::move(preferences),
                                      sightings_);
   task->load(again);
+}
+
+// With the refusals of its partners; and those of which no task was ever asked for here.
+void Interaction::forget_what_is_over() {
+  const MissionTime now = host_.bus().now();
+  std::erase_if(tasks_, [&](const auto& one) {
+    const auto since = one.second->over_since();
+    return since && *since + kForgotten <= now;
+  });
+  std::erase_if(refusals_, [&](const auto& one) {
+    const bool wanted = std::ranges::any_of(
+        tasks_, [&](const auto& task) { return task.second->asked().subject == one.first.first; });
+    return !wanted && one.second.since + kForgotten <= now;
+  });
 }
 
 // Its partners wait for it.
@@ -197,12 +208,6 @@ void Interaction::hear(const JointTaskTold& told) {
   for (const auto& [id, task] : tasks_) {
     if (task->joint().subject == told.status.subject) task->partner_told(told.status, told.at);
   }
-}
-
-void Interaction::contact(const Contact& contact) {
-  const MissionTime since = silent_since(contact.peer).value_or(host_.bus().now());
-  silent_since_[contact.peer] = contact.reachable ? std::nullopt : std::optional(since);
-  for (const auto& [id, task] : tasks_) task->partner_in_reach(contact.peer, contact.reachable);
 }
 
 void Interaction::time_passes() {

@@ -42,7 +42,6 @@ class Interaction final : public Component {
   void place_told(const mission::ChangeWorld& told) override;
   void time_passes() override;
   std::optional<MissionTime> next_wakeup() const override;
-  void contact(const Contact& contact);
   void hear(const interaction::SessionMessage& message);
   void hear(const PartnerSeen& seen);
   void hear(const JointTaskTold& told);
@@ -54,14 +53,13 @@ class Interaction final : public Component {
   /// the refusal is journaled.
   bool begin(const Joint& joint, interaction::BeginNegotiation negotiation);
   void withdraw(const std::string& subject, const std::string& why);
-  /// Since when a UAV is out of reach; absent: it is in reach.
-  std::optional<MissionTime> silent_since(const std::string& uav) const;
+  Partners& partners() { return host_.partners(); }
   /// What a UAV said last of a joint task: that it takes no part, or not any more.
   struct Refusal {
     MissionTime since;
     std::string why;
   };
-  /// Null: it has not said so, or says something else since.
+  /// Null: it has not said so, says something else since, or it is long over.
   const Refusal* refusal_of(const std::string& subject, const std::string& uav) const;
   /// The id for a new task of a role.
   executive::TaskId next_id();
@@ -77,6 +75,7 @@ class Interaction final : public Component {
   void carry_out(const interaction::MessageRejected& effect);
   void stop_reckoning(const std::string& subject);
   void refuse(const supervisor::LoadJointTask& asked, const Joint& joint, const std::string& why);
+  void forget_what_is_over();
   void give_up_closed_ways(const world::VehicleState& state);
   JointTask* about(const std::string& subject);
 
@@ -84,8 +83,6 @@ class Interaction final : public Component {
   Sightings sightings_;
   std::optional<interaction::NegotiationManager> manager_;
   std::map<executive::TaskId, std::unique_ptr<JointTask>> tasks_;
-  MissionTime born_;
-  std::map<std::string, std::optional<MissionTime>> silent_since_;  ///< of nodes with known contact
   std::map<std::pair<std::string, std::string>, Refusal> refusals_;  ///< by subject and UAV
   std::uint64_t next_id_ = 0;
   std::map<std::uint64_t, interaction::SessionId> reckonings_;  ///< by job

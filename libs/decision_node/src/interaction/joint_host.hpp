@@ -9,6 +9,7 @@
 
 #include "bus.hpp"
 #include "interaction/joint.hpp"
+#include "partners.hpp"
 #include "skein/decision_node/config.hpp"
 #include "skein/executive/executive.hpp"
 #include "skein/mission/autonomy.hpp"
@@ -25,6 +26,7 @@ class JointHost {
 
   virtual Bus& bus() = 0;
   virtual const Config& config() const = 0;
+  virtual Partners& partners() = 0;
   /// The world as believed; null: it is unknown here, and no role can be played.
   virtual std::shared_ptr<const world::World> world() const = 0;
   /// Passes an input to the executive: tasks of roles, and states of the joint tasks themselves.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loading, partners, and the end.
+// Loading, and the end.
 #include "interaction/joint_task.hpp"
 
 #include <algorithm>
@@ -18,19 +18,11 @@ namespace {
 using interaction::JointPhase;
 using Kind = interaction::NegotiationOutcome::Kind;
 
-constexpr const char* kRoles = "/roles";
-constexpr const char* kStart = "/start";
 constexpr Duration kSession = Duration::milliseconds(30'000);
-constexpr Duration kPatience =
-    Duration::milliseconds(600'000);  // where the plan has no latest start
-// Where it has run and failed, it is due: whom it failed for comes back soon, or is done without.
-constexpr Duration kPatienceAgain = Duration::milliseconds(60'000);
-constexpr Duration kSilence = Duration::milliseconds(60'000);  // then a partner is lost
 // What is agreed must still be possible when it is agreed: a start that was not is offered so much
 // later, twice as much each time.
 constexpr Duration kAhead = Duration::milliseconds(5'000);
 constexpr Duration kFurthestAhead = Duration::milliseconds(60'000);
-constexpr double kFarthest = 1e8;      // [s]
 constexpr double kSameBeginning = 25;  // [m] what a refusal depends on is the same
 constexpr double kRoom = 1;            // [s] at the end of an interval
 
@@ -86,7 +78,8 @@ void JointTask::load(bool again) {
   asked_at_ = now();
   wait_for_partners();
   do_without_the_absent();
-  negotiate_roles();
+  give_up_on_partners();
+  if (!over()) negotiate_roles();
   announce();
 }
 
@@ -113,45 +106,6 @@ void JointTask::ask_again(executive::TaskId task, std::vector<mission::Interval>
     retries_.anew(now());
   }
   announce();
-}
-
-// Until it is to start at the latest; where that is not said, some time after it could have: its
-// plan is made anew while it waits, and could begin it anew each time.
-void JointTask::wait_for_partners() {
-  Duration latest, first = preferences_.front().least;
-  for (const mission::Interval& one : preferences_) {
-    latest = std::max(latest, one.most);
-    first = std::min(first, one.least);
-  }
-  const bool bounded = latest < Duration::seconds(kFarthest);
-  const MissionTime could = std::max(now(), MissionTime() + first);
-  if (could > now() + Retries::kOftenest)
-    due_since_.reset();
-  else if (!due_since_)
-    due_since_ = could;
-  try_until_ = bounded ? MissionTime() + latest
-                       : due_since_.value_or(could) + (again_ ? kPatienceAgain : kPatience);
-}
-
-// Its partners find out likewise; until they have, they want other members.
-void JointTask::do_without_the_absent() {
-  std::vector<std::string> there = asked_.members;
-  std::string why;
-  std::erase_if(there, [&](const std::string& uav) {
-    if (uav == self()) return false;
-    const auto since = interaction_.silent_since(uav);
-    const Interaction::Refusal* refused = interaction_.refusal_of(asked_.subject, uav);
-    const bool stands = refused && std::max(refused->since, asked_at_) + kSilence <= now();
-    if (stands) why = "'" + uav + "' takes no part: " + refused->why;
-    return stands || (since && *since + kSilence <= now());
-  });
-  if (there == my_.joint.members) return;
-  auto fewer = there.size() < 2 ? std::nullopt : among(asked_, there);
-  if (!fewer) return why.empty() ? void() : not_loaded(why);
-  host_.bus().emit(Notice{asked_.subject + ": it is loaded among " + joined(there, ", ") + " now"});
-  my_.joint.variant = fewer->variant;
-  my_.joint.members = std::move(fewer->members);
-  my_.joint.arguments = std::move(fewer->arguments);
 }
 
 void JointTask::negotiate_roles() {
@@ -198,7 +152,7 @@ Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms
   interaction::Rows rows;
   if (terms.modality == "time-interval") {
     for (const mission::Interval& one : preferences_) {
-      const double until = std::min(one.most.to_seconds(), kFarthest);
+      const double until = std::min(one.most.to_seconds(), kForever);
       const double from = std::clamp((one.least + ahead_).to_seconds(), one.least.to_seconds(),
                                      std::max(one.least.to_seconds(), until));
       rows.push_back({"interval", "", {from, std::max(from, until) + kRoom}});
@@ -293,13 +247,14 @@ void JointTask::not_agreed(const std::string& why) {
   if (retries_.failed(why, now()))
     host_.bus().emit(Notice{my_.joint.subject + " is not agreed on, and is tried until " +
                             std::to_string(std::lround(try_until_.to_seconds())) + " s: " + why});
-  if (now() + Retries::kOftenest > try_until_) not_loaded(why);
+  if (now() + Retries::kOftenest > try_until_) not_loaded(why_too_late());
 }
 
 void JointTask::not_loaded(const std::string& why) {
   my_.why = why.empty() ? "nothing was agreed" : why;
   if (answered_) return finish(JointPhase::kAborted);
   my_.phase = JointPhase::kNotLoaded;
+  over_since_ = now();
   host_.answered({my_.joint.task, false, {}, my_.why, {}});
 }
 
@@ -362,50 +317,6 @@ void JointTask::invited(const interaction::Terms& terms) {
   announce();
 }
 
-void JointTask::partner_told(const interaction::JointTaskStatus& status, MissionTime at) {
-  const bool gone = status.phase == JointPhase::kLeaving || status.phase == JointPhase::kAborted ||
-                    status.phase == JointPhase::kNotLoaded;
-  // What it said before the roles were agreed is about an attempt before this one.
-  if (!roles_known_ || at <= agreed_at_) return;
-  play_.partner_has_left(status.uav, status.left);
-  if (!gone) return;
-  const std::string why = "'" + status.uav + "' left: " + status.why;
-  if (my_.phase == JointPhase::kRunning) return lost(status.uav, why);
-  if (my_.phase == JointPhase::kLoading || my_.phase == JointPhase::kLoaded) load_again(why);
-}
-
-// It has not begun: the partner may come back to it.
-void JointTask::load_again(const std::string& why) {
-  interaction_.withdraw(my_.joint.subject + kStart, why);
-  my_.phase = JointPhase::kLoading;
-  my_.why = why;
-  roles_known_ = false;
-  my_.holders.clear();
-  agreed_start_.reset();
-  retries_.anew(now());
-  announce();
-}
-
-// It runs: without one that left, if the role can do without.
-void JointTask::lost(const std::string& uav, const std::string& why) {
-  silent_since_.erase(uav);
-  if (!my_.holders.contains(uav) || uav == self()) return;
-  if (!play_.goes_on_without()) return leave(why);
-  host_.bus().emit(Notice{my_.joint.subject + ": " + why + "; it goes on without"});
-  my_.holders.erase(uav);
-  play_.lose(uav);
-  announce();
-}
-
-void JointTask::partner_in_reach(const std::string& uav, bool reachable) {
-  if (!my_.holders.contains(uav) && !asks(uav)) return;
-  if (reachable) {
-    silent_since_.erase(uav);
-  } else {
-    silent_since_.try_emplace(uav, now());
-  }
-}
-
 // ---- time ----
 
 void JointTask::time_passes() {
@@ -414,13 +325,10 @@ void JointTask::time_passes() {
     if (!roles_known_) do_without_the_absent();
     if (my_.phase == JointPhase::kLoading) roles_known_ ? negotiate_start() : negotiate_roles();
   }
-  if (my_.phase == JointPhase::kLoading && try_until_ <= now()) not_loaded(my_.why);
+  give_up_on_partners();
+  if (my_.phase == JointPhase::kLoading && try_until_ <= now()) not_loaded(why_too_late());
   begin_if_due();
-  if (my_.phase == JointPhase::kRunning) {
-    for (const auto& [uav, since] : std::map(silent_since_)) {
-      if (since + kSilence <= now()) lost(uav, "no contact with '" + uav + "'");
-    }
-  }
+  lose_the_silent();
   play_.time_passes();
   announce();
 }
@@ -430,10 +338,7 @@ std::optional<MissionTime> JointTask::next_wakeup() const {
   std::optional<MissionTime> next = play_.next_wakeup();
   if (my_.phase == JointPhase::kLoading) next = earliest(next, earliest(retries_.at(), try_until_));
   if (my_.phase == JointPhase::kLoaded && dispatched_) next = earliest(next, agreed_start_);
-  if (my_.phase == JointPhase::kRunning) {
-    for (const auto& [uav, since] : silent_since_) next = earliest(next, since + kSilence);
-  }
-  return next;
+  return earliest(next, next_loss());
 }
 
 // ---- the end ----
@@ -462,6 +367,7 @@ void JointTask::leave_at_once(const std::string& why) {
 void JointTask::finish(interaction::JointPhase phase) {
   const bool loading = my_.phase == JointPhase::kLoading;
   my_.phase = phase;
+  over_since_ = now();
   if (loading) {
     interaction_.withdraw(my_.joint.subject + (roles_known_ ? kStart : kRoles), my_.why);
   }

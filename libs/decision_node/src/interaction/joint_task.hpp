@@ -32,8 +32,8 @@ class Interaction;
 ///
 /// A role that listens to "member lost" goes on without a partner that left or is lost. While the
 /// task loads, a member that is out of reach, or says that it takes no part, for a minute is left
-/// out if the model has a variant for the remaining members. Else it is waited for while it is out
-/// of reach; where it takes no part, the task is not loaded.
+/// out if the model has a variant for the remaining members. Else one that is out of reach is
+/// waited for until it is given up (Partners); where it takes no part, the task is not loaded.
 ///
 /// A failed negotiation is repeated until the latest start (Retries). If other roles are agreed
 /// while the task runs, the new role begins once the running tasks of the old one are over. Source:
@@ -48,6 +48,8 @@ class JointTask {
   const Joint& asked() const { return asked_; }
   interaction::JointPhase phase() const { return my_.phase; }
   bool over() const { return interaction::is_over(my_.phase); }
+  /// Since when it is over; absent: it is not.
+  std::optional<MissionTime> over_since() const { return over_since_; }
 
   /// Whether it is loading or loaded.
   bool is_to_begin() const;
@@ -89,11 +91,14 @@ class JointTask {
   /// Checks the constraints after a position was seen.
   void watch();
   void partner_told(const interaction::JointTaskStatus& status, MissionTime at);
-  void partner_in_reach(const std::string& uav, bool reachable);
   void time_passes();
   std::optional<MissionTime> next_wakeup() const;
 
  private:
+  static constexpr const char* kRoles = "/roles";  ///< subjects of its negotiations end so
+  static constexpr const char* kStart = "/start";
+  static constexpr double kForever = 1e8;  ///< no latest start [s]
+
   MissionTime now() const;
   const std::string& self() const;
 
@@ -103,6 +108,11 @@ class JointTask {
   void wait_for_partners();
   void answer();
   void do_without_the_absent();
+  void give_up_on_partners();
+  /// Why nothing was agreed, and who is silent.
+  std::string why_too_late() const;
+  void lose_the_silent();
+  std::optional<MissionTime> next_loss() const;
   void negotiate_roles();
   void negotiate_start();
   void roles_agreed(const interaction::Terms& terms, const interaction::Rows& result);
@@ -123,6 +133,7 @@ class JointTask {
   bool dispatched_ = false;  ///< the executive has started it
   bool again_ = false;       ///< it has run before
   MissionTime try_until_;
+  MissionTime waits_since_;               ///< for partners: from when it could begin
   MissionTime asked_at_;                  ///< the last time that it was loaded
   std::optional<MissionTime> due_since_;  ///< it could begin at once, and has waited for others
   Retries retries_;
@@ -132,7 +143,7 @@ class JointTask {
   Duration ahead_;  ///< time before the role's first action, added to the offered start
   std::optional<MissionTime> agreed_start_;
   MissionTime start_agreed_at_;
-  std::map<std::string, MissionTime> silent_since_;  ///< partners
+  std::optional<MissionTime> over_since_;
   std::optional<interaction::JointTaskStatus> told_;
 };
 

@@ -8,6 +8,7 @@ namespace skein::decision_node {
 
 Bus& OnBoard::bus() { return core_.bus(); }
 const Config& OnBoard::config() const { return core_.config(); }
+Partners& OnBoard::partners() { return core_.partners(); }
 
 std::shared_ptr<const world::World> OnBoard::world() const {
   return core_.deliberation().possible() ? core_.deliberation().world() : nullptr;

@@ -15,6 +15,7 @@ class OnBoard final : public JointHost {
 
   Bus& bus() override;
   const Config& config() const override;
+  Partners& partners() override;
   std::shared_ptr<const world::World> world() const override;
   void run(executive::Input input) override;
   bool stops(executive::TaskId joint) const override;

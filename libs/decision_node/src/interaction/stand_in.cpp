@@ -57,7 +57,11 @@ mission::Interval start_of(const mission::HighLevelTask& task, MissionTime now) 
 
 class StandIn::Host final : public JointHost {
  public:
-  explicit Host(Config uav) : config_(std::move(uav)), world_(config_.world), interaction_(*this) {}
+  explicit Host(Config uav)
+      : config_(std::move(uav)),
+        world_(config_.world),
+        partners_(config_.partner_lease),
+        interaction_(*this) {}
 
   StandInEffects handle(const StandInInput& input, MissionTime now) {
     bus_.begin(now);
@@ -87,6 +91,7 @@ class StandIn::Host final : public JointHost {
 
   Bus& bus() override { return bus_; }
   const Config& config() const override { return config_; }
+  Partners& partners() override { return partners_; }
   std::shared_ptr<const world::World> world() const override { return world_; }
 
   void run(executive::Input input) override {
@@ -136,7 +141,10 @@ class StandIn::Host final : public JointHost {
 
   void on(const PlayJointTask& play) {
     const mission::ElementaryTask task = elementary(play.task, *config_.interaction);
-    if (!std::exchange(started_, true)) interaction_.start();
+    if (!std::exchange(started_, true)) {
+      partners_.start(bus_.now());
+      interaction_.start();
+    }
     joints_[task.id] = task.type;
     change(task.id, TaskState::kScheduled, "");
     change(task.id, TaskState::kStarted, "");
@@ -181,6 +189,10 @@ class StandIn::Host final : public JointHost {
     hear_of(message.from);
     interaction_.hear(message);
   }
+  void on(const PartnerLost& lost) {
+    partners_.declare_lost(lost.uav);
+    interaction_.time_passes();
+  }
   void on(const Tick&) { interaction_.time_passes(); }
 
   void on(const PlaceTold& told) {
@@ -201,7 +213,7 @@ class StandIn::Host final : public JointHost {
 
   void hear_of(const std::string& partner) {
     std::optional<MissionTime>& at = heard_[partner];
-    if (!at) interaction_.contact({partner, false, true});
+    if (!at) partners_.contact({partner, false, true}, bus_.now());
     at = bus_.now();
   }
 
@@ -209,13 +221,14 @@ class StandIn::Host final : public JointHost {
     for (auto& [partner, at] : heard_) {
       if (!at || *at + kHeard > bus_.now()) continue;
       at.reset();
-      interaction_.contact({partner, false, false});
+      partners_.contact({partner, false, false}, bus_.now());
     }
   }
 
   Config config_;
   Bus bus_;
   std::shared_ptr<const world::World> world_;
+  Partners partners_;
   Interaction interaction_;
   bool started_ = false;
   std::map<executive::TaskId, std::string> joints_;  ///< not over; their types

@@ -16,8 +16,9 @@ using temporal::PartnerDates;
 constexpr Duration kSame = Duration::milliseconds(1'000);
 /// Who was to have come by now is looked for again.
 constexpr Duration kAgain = Duration::milliseconds(5'000);
-/// Who is in reach again and has said nothing new for so long has nothing new to say.
-constexpr Duration kSettles = Duration::milliseconds(1'000);
+/// Who is in reach again and has said nothing new for so long has nothing new to say; with the
+/// latency of the radio, plans are consistent again within a second.
+constexpr Duration kSettles = Duration::milliseconds(900);
 /// A circle of waits is one when it has stood so long: then one of them gives way.
 constexpr Duration kStands = Duration::milliseconds(5'000);
 /// When it still stands then nobody can, and the others never come.
@@ -26,6 +27,11 @@ constexpr Duration kNever = Duration::milliseconds(30'000);
 /// Between two words to one other (DIP-L). What changed meanwhile comes as one: two words that
 /// answer each other around a circle become one, and it ends.
 constexpr Duration kPause = Duration::milliseconds(500);
+
+bool has(const temporal::Frontier& plan, temporal::MeetingId meeting) {
+  return std::ranges::any_of(plan.meetings,
+                             [&](const temporal::Meeting& one) { return one.id == meeting; });
+}
 
 bool is_in_circle(const PartnerDates& dates) {
   return dates.behind || dates.soonest == MissionTime::max();
@@ -83,8 +89,30 @@ void Meetings::hear(const FrontierTold& told) {
   const auto known = team_.known().find(told.from);
   const bool same = known != team_.known().end() && known->second == frontier;
   if (same && !is_back) return;
+  if (known != team_.known().end()) note_dropped(told.from, known->second, frontier);
   team_.hear(told.from, frontier);
   look();
+}
+
+void Meetings::note_dropped(const std::string& uav, const temporal::Frontier& before,
+                            const temporal::Frontier& after) {
+  std::map<temporal::MeetingId, MissionTime>& dropped = dropped_[uav];
+  for (const temporal::Meeting& one : before.meetings)
+    if (!has(after, one.id)) dropped[one.id] = core_.bus().now();
+  for (const temporal::Meeting& one : after.meetings) dropped.erase(one.id);
+}
+
+// Only who sends what it plans to all says what it does not plan. Who has never planned a meeting
+// has said nothing.
+std::optional<MissionTime> Meetings::stays_away_since(const std::string& uav,
+                                                      temporal::MeetingId meeting) const {
+  if (!keeps_to(Algorithm::kDipM) && !keeps_to(Algorithm::kDipG)) return std::nullopt;
+  const auto known = team_.known().find(uav);
+  if (known != team_.known().end() && has(known->second, meeting)) return std::nullopt;
+  const auto dropped = dropped_.find(uav);
+  if (dropped == dropped_.end()) return MissionTime();
+  const auto since = dropped->second.find(meeting);
+  return since == dropped->second.end() ? MissionTime() : since->second;
 }
 
 // To each what changed for it.

@@ -30,6 +30,11 @@ class Meetings final : public Component {
   void hear(const FrontierTold& told);
   void contact(const Contact& contact);
 
+  /// Since when the plan of a UAV has no such meeting, as far as it has said (mission time zero: it
+  /// never had); absent: it has, or the algorithm does not tell.
+  std::optional<MissionTime> stays_away_since(const std::string& uav,
+                                              temporal::MeetingId meeting) const;
+
   void time_passes() override;
   std::optional<MissionTime> next_wakeup() const override;
 
@@ -39,6 +44,8 @@ class Meetings final : public Component {
   void reach(const std::string& peer, bool reachable);
   void tell_dates();
   void look();
+  void note_dropped(const std::string& uav, const temporal::Frontier& before,
+                    const temporal::Frontier& after);
   void let_circles_stand(Dates& dates);
   void note(const Dates& dates);
 
@@ -57,6 +64,8 @@ class Meetings final : public Component {
   /// UAVs back in reach, since when; they may not have sent yet what changed meanwhile.
   std::map<std::string, MissionTime> back_;
   std::optional<MissionTime> looked_;
+  /// When meetings were first missing in the plans of others that had had them.
+  std::map<std::string, std::map<temporal::MeetingId, MissionTime>> dropped_;
 };
 
 }  // namespace skein::decision_node

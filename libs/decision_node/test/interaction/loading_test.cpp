@@ -127,6 +127,49 @@ TEST_F(NotAgreedOn, APartnerThatComesBackToItIsWaitedFor) {
   EXPECT_THAT(over_, IsEmpty());
 }
 
+/// Heliv is not heard at all, and answers nothing.
+class OfASilentPartner : public ::testing::Test {
+ protected:
+  OfASilentPartner() {
+    give(testing::flying(true));
+    give(PlayJointTask{testing::watching_task()});
+  }
+  void give(const StandInInput& input) {
+    for (const auto& one : stand_in_.handle(input, now_).changed)
+      if (is_terminal(one.state)) over_.push_back(one.reason);
+  }
+  void run_until(double seconds) {
+    while (now_ < MissionTime::seconds(seconds)) {
+      now_ = now_ + Duration::seconds(1);
+      give(testing::flying(true));
+      give(Tick{});
+    }
+  }
+  static Config config() {
+    Config config = testing::stood_in_config("relay");
+    config.partner_lease = Duration::seconds(200);
+    return config;
+  }
+
+  MissionTime now_ = MissionTime::seconds(10);
+  std::vector<std::string> over_;
+  StandIn stand_in_{config()};
+};
+
+// It counts as heard when it is asked for, and as silent 5 s later.
+TEST_F(OfASilentPartner, ItIsNotLoadedAfterTheLease) {
+  run_until(214);
+  EXPECT_THAT(over_, IsEmpty());
+  run_until(216);
+  EXPECT_THAT(over_, ElementsAre("no contact with 'heliv' since 15 s"));
+}
+
+TEST_F(OfASilentPartner, OnceItIsDeclaredLostItIsNotLoaded) {
+  run_until(60);
+  give(PartnerLost{"heliv"});
+  EXPECT_THAT(over_, ElementsAre("'heliv' is declared lost"));
+}
+
 TEST(Loading, WhoFitsNoRoleTellsItsPartners) {
   Config config = testing::stood_in_config("relay");
   auto library = std::make_shared<interaction::Library>(*config.interaction);

@@ -254,6 +254,10 @@ class RunTeller {
     if (found != history_.uavs.end()) found->second.faults.emplace_back(seconds(when), line.what);
   }
 
+  void hear(const lines::LostUav& line, const Written& when) {
+    history_.lost.emplace(line.uav, seconds(when));
+  }
+
   void hear(const lines::Sync& line, const Written& when) {
     const auto found = history_.uavs.find(line.to);
     if (line.direction != "received" || found == history_.uavs.end()) return;
@@ -307,7 +311,7 @@ class Teller {
 
   bool see(const Record& record) {
     bool read = journal::hand_on<lines::Mission, lines::Alarm, lines::Object, lines::Seen,
-                                 lines::Fault, lines::Sync>(record, run_);
+                                 lines::Fault, lines::LostUav, lines::Sync>(record, run_);
     read = journal::hand_on<lines::Step, lines::Message>(record, world_) && read;
     read = see_of_uav(record) && read;
     read = history_.joint.see(record) && read;

@@ -31,6 +31,8 @@ class PlayedRoles {
 
   /// Passes an input to the stand-in of a UAV; no effect for a UAV without stand-in.
   Outcome tell(const std::string& uav, const decision_node::StandInInput& input, MissionTime now);
+  /// Tells all that play that an operator declared a partner lost.
+  Outcome declare_lost(const std::string& lost, MissionTime now);
   /// Result of a sample of a decision node (forwarded messages of partners, telemetry, tasks).
   /// `only_here`: the sample concerns nothing but played roles.
   struct Heard {

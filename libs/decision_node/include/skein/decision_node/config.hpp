@@ -51,6 +51,8 @@ struct Config {
   std::optional<MergingConfig> merging = {};  ///< absent: ways are flown without reservations
   /// Algorithm of temporal consistency with the plans of others; absent: none.
   std::optional<temporal::Algorithm> consistency = temporal::Algorithm::kDipM;
+  /// Silence after which a partner of a synchronisation or joint task is not waited for any more.
+  Duration partner_lease = Duration::seconds(600);
   Duration horizon = Duration::seconds(15);  ///< of commitment, see supervisor::Config
   executive::TaskId first_task{1};  ///< first id of the supervisor's tasks; below kFirstRoleId
 };

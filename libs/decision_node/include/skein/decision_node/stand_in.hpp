@@ -29,11 +29,15 @@ struct TaskRefused {
   executive::TaskId task;
   std::string why;
 };
+/// An operator declared a partner lost.
+struct PartnerLost {
+  std::string uav;
+};
 
 /// Telemetry is the UAV's own. Messages of partners arrive through the UAV's decision node.
-using StandInInput =
-    std::variant<PlayJointTask, StopPlaying, TaskRefused, executive::TaskEvent, world::Telemetry,
-                 PartnerSeen, JointTaskTold, interaction::SessionMessage, PlaceTold, Tick>;
+using StandInInput = std::variant<PlayJointTask, StopPlaying, TaskRefused, executive::TaskEvent,
+                                  world::Telemetry, PartnerSeen, JointTaskTold,
+                                  interaction::SessionMessage, PlaceTold, PartnerLost, Tick>;
 
 /// Requests to the UAV's executive, state changes of the joint tasks (running, ended, aborted), and
 /// effects of a decision node: SendNegotiation, JointTaskChanged and journal notes.

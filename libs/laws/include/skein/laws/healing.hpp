@@ -22,8 +22,10 @@ struct HealingLimits {
   Duration rerouting = Duration::seconds(20);
 };
 
-/// Limits for the scenario's radio, in virtual time: three heartbeats, the latency both ways, and,
-/// if heartbeats are lost at random, so many more that the loss of all is very unlikely.
+/// Limits for the scenario's radio, in virtual time: a second and the latency both ways. Where
+/// nodes are not told that a link is up (`silent`), where it is narrow (`capacity`) or loses
+/// samples at random, three heartbeats instead of the second, and with losses so many more that the
+/// loss of all is very unlikely.
 HealingLimits healing_limits(const scenario::Scenario& scenario);
 
 /// Breaches, with their instants, of the laws on links that were down in one or both directions,

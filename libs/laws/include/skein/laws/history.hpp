@@ -197,6 +197,7 @@ struct History {
   std::vector<Word> unread = {};  ///< malformed lines, of kinds that laws read
   /// Down times of nodes that died, (from, until); until kNever: they did not restart.
   std::map<std::string, std::vector<std::pair<double, double>>> away = {};
+  std::map<std::string, double> lost = {};  ///< declared lost by an operator, when
 
   /// The position that an argument names: a place of the scenario, an alarm or a tracked object as
   /// known at `at`, or the point itself; absent: the argument is no place.

@@ -57,6 +57,10 @@ Mission generate_robots(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to six UAVs at degree 4 of which at least one is heard past relays alone, with
 /// meetings of two; of the kinds, radio (links between them are cut for a while) and deaths count.
 Mission generate_relays(std::uint64_t seed, const Kinds& kinds);
+/// Likewise two or three UAVs at degree 4 with joint tasks and synchronisations, of whom one is cut
+/// off, or, with deaths, dies for good (and may be declared lost) or for a while, or is not given
+/// the synchronisation; of the kinds, radio, deaths and changes count.
+Mission generate_partners(std::uint64_t seed, const Kinds& kinds);
 /// Likewise one to four UAVs at degree 4 over fires that spread in the wind: they look at the
 /// fronts, which the ground station follows, map and search the ground around, and two of them may
 /// watch a front jointly. Of the kinds, joint, alarms, radio, faults and deaths count.

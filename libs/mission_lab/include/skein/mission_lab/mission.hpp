@@ -58,6 +58,7 @@ struct Mission {
   std::vector<std::string> bidders;   ///< who shares it out; empty: everybody
   std::string separation;             ///< "{merge: true}"; empty: nobody asks for it
   std::string consistency = "dip-m";  ///< by which UAVs know when others come to meet them
+  double partner_lease = 0;           ///< [s]; 0: as scenarios have it unasked
   int shared_pads = 0;                ///< UAVs that start a few metres beside another
   bool joint = false;                 ///< there are interaction models
   double finish_after = 30;  ///< [s] after the last goal is settled; negative: at the limit

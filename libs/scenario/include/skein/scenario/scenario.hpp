@@ -177,6 +177,8 @@ struct PlanningSpec {
   Duration horizon = Duration::seconds(15);  ///< of commitment
   /// Algorithm that keeps the plans of the UAVs temporally consistent; absent: none.
   std::optional<temporal::Algorithm> consistency = temporal::Algorithm::kDipM;
+  /// Silence after which a partner of a meeting or joint task is not waited for any more.
+  Duration partner_lease = Duration::seconds(600);
   /// First number of the elementary tasks that a UAV plans; 1 for UAVs that are not listed.
   std::map<std::string, executive::TaskId> first_ids;
 };

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// A joint task and its partners: how long they are waited for, and who leaves or is lost.
+#include <algorithm>
+#include <cmath>
+
+#include "interaction/interaction.hpp"
+#include "interaction/joint_task.hpp"
+#include "skein/foundation/joined.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using interaction::JointPhase;
+
+constexpr Duration kTryFor = Duration::milliseconds(600'000);  // where the plan has no latest start
+// Where it has run and failed, it is due: whom it failed for comes back soon, or is done without.
+constexpr Duration kTryAgainFor = Duration::milliseconds(60'000);
+constexpr Duration kLostAfter = Duration::milliseconds(60'000);  // then a partner is lost
+
+}  // namespace
+
+// Until it is to start at the latest; where that is not said, some time after it could have: its
+// plan is made anew while it waits, and could begin it anew each time.
+void JointTask::wait_for_partners() {
+  Duration latest, first = preferences_.front().least;
+  for (const mission::Interval& one : preferences_) {
+    latest = std::max(latest, one.most);
+    first = std::min(first, one.least);
+  }
+  const bool bounded = latest < Duration::seconds(kForever);
+  const MissionTime could = std::max(now(), MissionTime() + first);
+  if (could > now() + Retries::kOftenest)
+    due_since_.reset();
+  else if (!due_since_)
+    due_since_ = could;
+  waits_since_ = due_since_.value_or(could);
+  try_until_ = bounded ? MissionTime() + latest : waits_since_ + (again_ ? kTryAgainFor : kTryFor);
+}
+
+// Its partners find out likewise; until they have, they want other members.
+void JointTask::do_without_the_absent() {
+  std::vector<std::string> there = asked_.members;
+  std::string why;
+  std::erase_if(there, [&](const std::string& uav) {
+    if (uav == self()) return false;
+    const auto since = interaction_.partners().silent_since(uav);
+    const Interaction::Refusal* refused = interaction_.refusal_of(asked_.subject, uav);
+    const bool stands = refused && std::max(refused->since, asked_at_) + kLostAfter <= now();
+    if (stands) why = "'" + uav + "' takes no part: " + refused->why;
+    return stands || interaction_.partners().is_declared_lost(uav) ||
+           (since && *since + kLostAfter <= now());
+  });
+  if (there == my_.joint.members) return;
+  auto fewer = there.size() < 2 ? std::nullopt : among(asked_, there);
+  if (!fewer) return why.empty() ? void() : not_loaded(why);
+  host_.bus().emit(Notice{asked_.subject + ": it is loaded among " + joined(there, ", ") + " now"});
+  my_.joint.variant = fewer->variant;
+  my_.joint.members = std::move(fewer->members);
+  my_.joint.arguments = std::move(fewer->arguments);
+}
+
+// Who is silent for its lease, or declared lost, is waited for no longer. Where it may be done
+// without, it is: the lease is no shorter than what that takes.
+void JointTask::give_up_on_partners() {
+  if (!is_to_begin()) return;
+  for (const std::string& uav : partners()) {
+    const bool is_lost = interaction_.partners().is_declared_lost(uav);
+    if (my_.phase == JointPhase::kLoaded && (!is_lost || !my_.holders.contains(uav))) continue;
+    const auto why = interaction_.partners().given_up(uav, waits_since_, now());
+    if (!why) continue;
+    if (roles_known_ && my_.holders.contains(uav)) load_again(*why);
+    if (!roles_known_) do_without_the_absent();
+    const bool needed = std::ranges::count(my_.joint.members, uav) > 0;
+    if (over()) return;
+    if (needed) return not_loaded(*why);
+  }
+}
+
+std::string JointTask::why_too_late() const {
+  std::string why = my_.why;
+  for (const std::string& uav : my_.joint.members) {
+    const auto since = uav == self() ? std::nullopt : interaction_.partners().silent_since(uav);
+    if (!since) continue;
+    why += (why.empty() ? "'" : "; '") + uav + "' is not heard since " +
+           std::to_string(std::lround(since->to_seconds())) + " s";
+  }
+  return why;
+}
+
+// While it runs.
+void JointTask::lose_the_silent() {
+  if (my_.phase != JointPhase::kRunning) return;
+  const Partners& partners = interaction_.partners();
+  for (const auto& [uav, role] : Holders(my_.holders)) {
+    if (uav == self()) continue;
+    const auto since = partners.silent_since(uav);
+    if (partners.is_declared_lost(uav)) {
+      lost(uav, "'" + uav + "' is declared lost");
+    } else if (since && *since + kLostAfter <= now()) {
+      lost(uav, partners.silence_of(uav));
+    }
+  }
+}
+
+std::optional<MissionTime> JointTask::next_loss() const {
+  std::optional<MissionTime> next;
+  const Partners& known = interaction_.partners();
+  if (my_.phase == JointPhase::kLoading) {
+    for (const std::string& uav : my_.joint.members)
+      if (uav != self()) next = earliest(next, known.gives_up_at(uav, waits_since_));
+  } else if (my_.phase == JointPhase::kRunning) {
+    for (const auto& [uav, role] : my_.holders) {
+      const auto since = uav == self() ? std::nullopt : known.silent_since(uav);
+      if (since) next = earliest(next, *since + kLostAfter);
+    }
+  }
+  return next;
+}
+
+void JointTask::partner_told(const interaction::JointTaskStatus& status, MissionTime at) {
+  const bool gone = status.phase == JointPhase::kLeaving || status.phase == JointPhase::kAborted ||
+                    status.phase == JointPhase::kNotLoaded;
+  // What it said before the roles were agreed is about an attempt before this one.
+  if (!roles_known_ || at <= agreed_at_) return;
+  play_.partner_has_left(status.uav, status.left);
+  if (!gone) return;
+  const std::string why = "'" + status.uav + "' left: " + status.why;
+  if (my_.phase == JointPhase::kRunning) return lost(status.uav, why);
+  if (my_.phase == JointPhase::kLoading || my_.phase == JointPhase::kLoaded) load_again(why);
+}
+
+// It has not begun: the partner may come back to it.
+void JointTask::load_again(const std::string& why) {
+  interaction_.withdraw(my_.joint.subject + kStart, why);
+  my_.phase = JointPhase::kLoading;
+  my_.why = why;
+  roles_known_ = false;
+  my_.holders.clear();
+  agreed_start_.reset();
+  retries_.anew(now());
+  announce();
+}
+
+// It runs: without one that left, if the role can do without.
+void JointTask::lost(const std::string& uav, const std::string& why) {
+  if (!my_.holders.contains(uav) || uav == self()) return;
+  if (!play_.goes_on_without()) return leave(why);
+  host_.bus().emit(Notice{my_.joint.subject + ": " + why + "; it goes on without"});
+  my_.holders.erase(uav);
+  play_.lose(uav);
+  announce();
+}
+
+}  // namespace skein::decision_node

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nobody waits for ever for a partner that is silent, and who is given up was silent.
+#include <algorithm>
+#include <charconv>
+
+#include "checks.hpp"
+#include "statement.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+/// Until silence is noticed, and what is not agreed is tried again.
+constexpr double kMargin = 25;  // [s]
+
+// Of a synchronisation those who send; their names come first.
+std::set<std::string> partners_of(const Uav& uav, const mission::HighLevelTask& task) {
+  std::set<std::string> partners;
+  const bool sends = task.name.find("synchro") != std::string::npos;
+  for (const mission::Argument& argument : task.arguments)
+    if ((!sends || partners.empty()) && std::holds_alternative<std::vector<std::string>>(argument))
+      for (const std::string& name : names_of(argument)) partners.insert(name);
+  partners.erase(uav.name());
+  return partners;
+}
+
+/// Since when the partner could not be heard, without a break until `at`; absent: it could be.
+std::optional<double> silent_since(const History& history, const Uav& uav,
+                                   const std::string& partner, double at) {
+  const auto& passing = history.scenario->radio.relays;
+  const std::set<std::string> relays(passing.begin(), passing.end());
+  double since = history.joint.last_reached(partner, uav.name(), relays, at);
+  if (const auto dead = history.away.find(partner); dead != history.away.end())
+    for (const auto& [from, until] : dead->second)
+      if (from <= at && at <= until) since = std::min(since, from);
+  return since < at ? std::optional(since) : std::nullopt;
+}
+
+bool may_wait(const Execution& one) {
+  return one.type == "synchronise" || one.type == "rendezvous" || one.type.starts_with("joint:");
+}
+
+/// When it began to wait, be it in an attempt before this one of the same goal.
+double began(const Uav& uav, const Execution& wait) {
+  constexpr double kAnew = 20;  // [s] until the goal is planned again
+  double since = wait.started;
+  const std::int64_t goal = uav.goal_of_task(wait.task);
+  for (auto one = uav.executions.rbegin(); one != uav.executions.rend(); ++one) {
+    const Execution& before = one->second;
+    const bool same = before.type == wait.type && uav.goal_of_task(one->first) == goal;
+    if (same && before.started < since && before.over <= since && before.over + kAnew >= since)
+      since = before.started;
+  }
+  return since;
+}
+
+/// From when it was to be waited for no longer.
+double patience_ends(const History& history, const Uav& uav, const Execution& wait,
+                     const std::string& partner, double since) {
+  const auto& planning = history.scenario->planning;
+  const double lease = planning ? planning->partner_lease.to_seconds() : kNever;
+  double ends = std::max(began(uav, wait), since) + lease;
+  const auto lost = history.lost.find(partner);
+  if (lost == history.lost.end()) return ends;
+  const double told = std::max({began(uav, wait), since, lost->second});
+  const bool hears = history.joint.up("ground", uav.name(), lost->second, told + kMargin) &&
+                     !history.was_away("ground", lost->second, told + kMargin);
+  return hears ? std::min(ends, told) : ends;
+}
+
+}  // namespace
+
+namespace {
+
+/// Why it is waited for no longer than until then.
+struct Limit {
+  double ends = kNever;
+  std::string why;
+};
+
+Limit limit_of(const History& history, const Uav& uav, const Execution& wait, const Goal& goal,
+               const Uav& partner) {
+  const double until = std::min(wait.over, history.end);
+  if (const auto since = silent_since(history, uav, partner.name(), until)) {
+    if (history.was_away("sim", *since, until)) return {};
+    return {patience_ends(history, uav, wait, partner.name(), *since),
+            "is silent since " + figure(*since) + " s"};
+  }
+  const auto& planning = history.scenario->planning;
+  const bool says_plans = planning && (planning->consistency == temporal::Algorithm::kDipM ||
+                                       planning->consistency == temporal::Algorithm::kDipG);
+  const auto since = stays_away_since(uav, goal, partner);
+  const bool heard = since && says_plans && !history.dead.contains(partner.name()) &&
+                     partner.deliberates(0, until) &&
+                     history.joint.up(partner.name(), uav.name(), *since, until);
+  if (!heard) return {};
+  return {std::max(began(uav, wait), *since) + planning->partner_lease.to_seconds(),
+          "does not plan to come since " + figure(*since) + " s"};
+}
+
+}  // namespace
+
+std::vector<Violation> absent_partners_awaited(const History& history) {
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    if (history.dead.contains(name)) continue;
+    for (const auto& [task, wait] : uav.executions) {
+      const double until = std::min(wait.over, history.end);
+      const auto goal = uav.goals.find(uav.goal_of_task(task));
+      const bool judged = may_wait(wait) && wait.started < until && wait.state != "ended";
+      if (!judged || goal == uav.goals.end() || !uav.deliberates(wait.started, until)) continue;
+      for (const std::string& other : partners_of(uav, goal->second.task)) {
+        const auto partner = history.uavs.find(other);
+        if (partner == history.uavs.end()) continue;
+        const Limit limit = limit_of(history, uav, wait, goal->second, partner->second);
+        if (until <= limit.ends + kMargin) continue;
+        result.push_back({"", until, name, goal->first,
+                          mission::to_text(goal->second.task) + " has waited until " +
+                              figure(until) + " s for '" + other + "', which " + limit.why +
+                              ", and was to wait until " + figure(limit.ends) + " s"});
+      }
+    }
+  }
+  return result;
+}
+
+// "no contact with 'heliv' since 312 s"
+std::optional<std::string> untrue_silence(const History& history, const Uav& uav,
+                                          const std::string& why, double at) {
+  constexpr double kNoticed = 6;    // [s] until silence is noticed, or whoever is back
+  constexpr double kShortest = 60;  // [s] of who has a role
+  constexpr std::string_view kBegins = "no contact with '", kGoesOn = "' since ";
+  const std::size_t begin = why.find(kBegins);
+  if (begin == std::string::npos) return std::nullopt;
+  const std::size_t name_at = begin + kBegins.size(), end = why.find(kGoesOn, name_at);
+  if (end == std::string::npos) return "it does not say since when";
+  const std::string partner = why.substr(name_at, end - name_at);
+  double since = kNever;
+  const char* from = why.data() + end + kGoesOn.size();
+  std::from_chars(from, why.data() + why.size(), since);
+  const auto truly = silent_since(history, uav, partner, at);
+  if (!truly || *truly > since + kNoticed)
+    return "'" + partner + "' could be heard " +
+           (truly ? "until " + figure(*truly) + " s" : std::string("then"));
+  if (at - since < kShortest - kNoticed)
+    return "'" + partner + "' was silent for " + figure(at - since) + " s only";
+  return std::nullopt;
+}
+
+}  // namespace skein::laws

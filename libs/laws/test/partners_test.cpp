@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nobody waits for a silent partner beyond its lease; who is given up was silent.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "skein/journal/lines/mission.hpp"
+#include "testing/story.hpp"
+
+namespace skein::laws::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr const char* kMeeting = "synchro 500 (marvin heliv) (marvin heliv)";
+
+/// Marvin waits for Heliv from 100 s on, who dies at 50 s; the lease is 600 s.
+Story waits(double until, const std::string& reason = "", const std::string& end = "aborted") {
+  Story story;
+  story.goal("marvin", 7, kMeeting, "under-way", 100);
+  story.does("marvin", {1, "synchronise", 7, 100, until, end, "", {}, reason});
+  return story.stands("marvin", 0, 2000).stands("heliv", 0, 50);
+}
+
+Story waits_for_dead(double until) {
+  Story story = waits(until);
+  return story.fault(50, "kill", "heliv");
+}
+
+TEST(AwaitedLaw, WhoWaitsForADeadPartnerBeyondItsLeaseBreaksIt) {
+  EXPECT_THAT(waits_for_dead(900).broken("awaited"),
+              ElementsAre(HasSubstr("for 'heliv', which is silent since 50.0 s, and was to wait "
+                                    "until 700.0 s")));
+  EXPECT_THAT(waits_for_dead(720).broken("awaited"), IsEmpty());
+}
+
+TEST(AwaitedLaw, OneThatIsCutOffIsSilentToo) {
+  const auto told = [](double healed) {
+    Story story = waits(900);
+    story.goal("heliv", 8, kMeeting, "under-way", 20);
+    for (const char* to : {"heliv", "marvin"}) {
+      const std::string from = std::string(to) == "heliv" ? "marvin" : "heliv";
+      story.link(150, from, to, false).link(healed, from, to, true);
+    }
+    return story;
+  };
+
+  EXPECT_EQ(told(950).broken("awaited").size(), 1U);
+  EXPECT_THAT(told(800).broken("awaited"), IsEmpty());
+}
+
+// Found by random missions (--meetings 28).
+TEST(AwaitedLaw, WhoOnlyReceivesIsNotAwaited) {
+  Story story;
+  story.goal("marvin", 7, "synchro 500 (karma) (marvin heliv)", "under-way", 100);
+  story.goal("karma", 9, "synchro 500 (karma) (marvin heliv)", "under-way", 20);
+  story.does("marvin", {1, "synchronise", 7, 100, 1900, "aborted"}).stands("marvin", 0, 2000);
+  EXPECT_THAT(story.fault(50, "kill", "heliv").broken("awaited"), IsEmpty());
+}
+
+TEST(AwaitedLaw, OneThatIsHeardOrCameMayBeWaitedForForLong) {
+  const auto comes = [] { return waits(1900).goal("heliv", 8, kMeeting, "under-way", 20); };
+  EXPECT_THAT(comes().broken("awaited"), IsEmpty());
+  Story came = waits(1900, "", "ended");
+  EXPECT_THAT(came.fault(50, "kill", "heliv").broken("awaited"), IsEmpty());
+}
+
+TEST(AwaitedLaw, OneThatIsHeardAndDoesNotPlanToComeIsWaitedForForALease) {
+  const auto told = [](double until, double failed) {
+    return waits(until).goal("heliv", 8, kMeeting, "failed", failed, "energy");
+  };
+
+  EXPECT_THAT(told(900, 150).broken("awaited"),
+              ElementsAre(HasSubstr("'heliv', which does not plan to come since 150.0 s, and was "
+                                    "to wait until 750.0 s")));
+  EXPECT_THAT(told(900, 300).broken("awaited"), IsEmpty());
+  EXPECT_EQ(waits(900).broken("awaited").size(), 1U);
+}
+
+TEST(AwaitedLaw, AnAttemptThatFollowsAnotherGoesOnWaiting) {
+  const auto told = [](double again) {
+    Story story = waits(720);
+    story.does("marvin", {2, "synchronise", 7, again, again + 100, "aborted"});
+    return story.fault(50, "kill", "heliv");
+  };
+  EXPECT_EQ(told(721).broken("awaited").size(), 1U);
+  EXPECT_THAT(told(900).broken("awaited"), IsEmpty());
+}
+
+TEST(AwaitedLaw, OneThatIsDeclaredLostIsWaitedForNoLonger) {
+  const auto told = [](double until) {
+    Story story = waits_for_dead(until);
+    journal::lines::LostUav lost;
+    lost.uav = "heliv";
+    return story.line(journal::record_of(MissionTime::seconds(200), "ground", lost));
+  };
+
+  EXPECT_EQ(told(300).broken("awaited").size(), 1U);
+  EXPECT_THAT(told(205).broken("awaited"), IsEmpty());
+}
+
+/// Marvin's goal fails at 800 s since nobody hears Heliv since then.
+Story given_up(const std::string& since) {
+  Story story;
+  const std::string why = "no contact with 'heliv'" + since;
+  return story.goal("marvin", 7, kMeeting, "under-way", 100)
+      .goal("marvin", 7, kMeeting, "failed", 800, why)
+      .stands("marvin", 0, 2000);
+}
+
+TEST(ReasonsLaw, WhoIsGivenUpWasSilentSinceThen) {
+  EXPECT_THAT(given_up(" since 52 s").broken("reasons"), ElementsAre(HasSubstr("could be heard")));
+  EXPECT_THAT(given_up(" since 52 s").fault(50, "kill", "heliv").broken("reasons"), IsEmpty());
+  EXPECT_THAT(given_up(" since 52 s").fault(90, "kill", "heliv").broken("reasons"),
+              ElementsAre(HasSubstr("until 90.0 s")));
+}
+
+TEST(ReasonsLaw, WhoIsGivenUpWasSilentForAMinuteAtLeast) {
+  EXPECT_THAT(given_up(" since 770 s").fault(768, "kill", "heliv").broken("reasons"),
+              ElementsAre(HasSubstr("was silent for 30.0 s only")));
+}
+
+TEST(ReasonsLaw, SinceWhenIsSaid) {
+  EXPECT_THAT(given_up("").fault(50, "kill", "heliv").broken("reasons"),
+              ElementsAre(HasSubstr("it does not say since when")));
+}
+
+}  // namespace
+}  // namespace skein::laws::testing
