@@ -334,5 +334,37 @@ TEST_F(MissionAdmissionTest, OneGivenToAnotherMemberArrivesWithItsStatus) {
   EXPECT_THAT(holder->ledger().missions, ElementsAre(MissionNumber(3)));
 }
 
+// Found by an outsider's mission: over 19,200 bit/s a ledger was on its way for a second, a new one
+// was said each second, and none arrived before it expired.
+TEST_F(LedgerKeepingTest, WhoDoesNotAnswerIsToldTheLedgerEverMoreRarely) {
+  holds(LedgerBuilder());
+  const auto tells = [&](double second) {
+    std::vector<bool> with_ledger;
+    for (const TeamEffect& effect : holder->handle(Tick{}, at(second))) {
+      const auto* tell = std::get_if<Tell>(&effect);
+      const auto* beat = tell != nullptr ? std::get_if<Beat>(&tell->message) : nullptr;
+      if (beat != nullptr) with_ledger.push_back(beat->ledger != nullptr);
+    }
+    return with_ledger;
+  };
+  const auto has_it = [&] {
+    Status status = wants({});
+    status.revision = holder->ledger().revision;
+    return status;
+  };
+
+  std::vector<int> told;
+  for (int second = 6; second < 30; ++second) {
+    const auto with_ledger = tells(second);
+    ASSERT_EQ(with_ledger.size(), 2U) << "both hear their holder";
+    if (with_ledger[1]) told.push_back(second);
+    says(1, has_it(), second);
+  }
+  EXPECT_THAT(told, ElementsAre(6, 7, 9, 13, 17, 21, 25, 29)) << "at most 8 beats apart";
+
+  says(2, has_it(), 30);
+  EXPECT_THAT(tells(31), ElementsAre(false, false));
+}
+
 }  // namespace
 }  // namespace skein::auction

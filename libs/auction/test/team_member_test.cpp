@@ -125,30 +125,6 @@ TEST_F(TeamMemberTest, WithoutABeatItAsksOnTrialThenInEarnestThenHolds) {
   EXPECT_TRUE(one.holds_token());
 }
 
-// Found by an outsider's mission: over 19,200 bit/s a ledger was on its way for a second, a new one
-// was said each second, and none arrived before it expired.
-TEST_F(TeamMemberTest, WhoDoesNotAnswerIsToldTheLedgerEverMoreRarely) {
-  TeamMember one = member();
-  one.handle(Tick{}, at(0));
-  one.handle(Tick{}, *one.next_wakeup());
-  one.handle(from(1, Vote{1, true}), at(5));
-  one.handle(from(2, Vote{1, false}), at(5));
-
-  Status has_it;
-  has_it.term = has_it.revision = 1;
-  std::vector<int> told;
-  for (int second = 6; second < 30; ++second) {
-    const auto beats = said<Beat>(one.handle(Tick{}, at(second)));
-    ASSERT_THAT(beats, SizeIs(2)) << "its holder is heard";
-    if (beats[1].ledger) told.push_back(second);
-    one.handle(from(1, has_it), at(second));
-  }
-  EXPECT_THAT(told, ElementsAre(6, 7, 9, 13, 17, 21, 25, 29)) << "at most 8 beats apart";
-
-  one.handle(from(2, has_it), at(30));
-  EXPECT_FALSE(said<Beat>(one.handle(Tick{}, at(31)))[1].ledger);
-}
-
 TEST_F(TeamMemberTest, AVoteOfAnotherTermOrKindDoesNotCount) {
   TeamMember one = member();
   one.handle(Tick{}, at(0));
