@@ -48,6 +48,7 @@ std::optional<MissionTime> Merger::next_wakeup() const {
   if (request_ != 0) return earliest(next, std::min(deadline_, asked_ + ask_pause_));
   if (third_ && third_->reachable) next = earliest(next, standby_.due());
   if (!waits()) return next;
+  next = earliest(next, now_ + limits_.beat);  // to look for a circle, or who may be asked again
   if (pause_ > now_) next = earliest(next, pause_);
   if (circle_since_) next = earliest(next, std::max(now_, *circle_since_) + limits_.circle);
   return next;
@@ -391,11 +392,18 @@ void Merger::tell_all() {
   for (const auto& [name, peer] : peers_) tell(name, false);
 }
 
-/// What is not known to have arrived, ever more rarely: perhaps the channel carries no more.
+/// What is not known to have arrived, ever more rarely: perhaps the channel carries no more. Whom
+/// this one waits for may have changed by what others said.
 void Merger::tell_again() {
+  const Claim current = claim();
   for (auto& [name, peer] : peers_) {
     Told& told = peer.told;
-    if (!peer.reachable || told.arrived || now_ < told.at + told.pause) continue;
+    if (!peer.reachable) continue;
+    if (told.claim != current) {
+      told.arrived = false;
+      told.pause = limits_.beat;
+    }
+    if (told.arrived || now_ < told.at + told.pause) continue;
     tell(name, false);
     told.pause = std::min(told.pause + told.pause, limits_.pause);
   }

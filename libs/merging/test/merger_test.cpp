@@ -429,6 +429,21 @@ TEST(Merger, WhoWaitsSaysSoOnce) {
   EXPECT_EQ(net.messages(), messages);
 }
 
+TEST(Merger, ForWhomOneWaitsIsToldAgainWhenItChanges) {
+  Net net({kA, kB, kC});
+  net.stands(kA, place(0));
+  net.stands(kB, place(100));
+  net.stands(kC, place(300));
+  net.run_for(3);
+  net.wants(kC, {{stretch(0, 100)}});
+  net.run_for(3);
+  EXPECT_THAT(net.told_to_wait_for(kC, kB), ElementsAre(kA, kB));
+
+  net.give(kA, Hold{{place(500)}});
+  net.run_for(3);
+  EXPECT_THAT(net.told_to_wait_for(kC, kB), ElementsAre(kB));
+}
+
 TEST(Merger, AirIsToldAgainToOneThatForgot) {
   Net net({kA, kB});
   net.stands(kA, place(0));

@@ -209,9 +209,9 @@ TEST(Merging, WhoFindsNoPlaceThatNobodyWantsMovesWhereTheCircleDoesNotWantToGo) 
   give_sweep(team, "heliv", goto_of(7, {-100, 0, 40}));
   team.run(3);
   EXPECT_THAT(states(team.notes("heliv")), Contains("aside"));
-  team.run(60);
+  team.run(120);
   EXPECT_GT(team.highest("heliv"), 60) << "beside it there was no place at its height, or over it";
-  EXPECT_TRUE(team.is_over("marvin", 7));
+  EXPECT_TRUE(team.is_over("marvin", 7) || team.is_over("karma", 7)) << "the circle is parted";
 }
 
 // Heliv is to land where marvin is to rise past it: it gets out of the way, and lands where it was

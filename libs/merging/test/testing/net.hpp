@@ -112,12 +112,18 @@ class Net {
   }
   MissionTime now() const { return MissionTime::seconds(now_); }
   std::size_t messages() const { return messages_; }
+  /// For whom one waits, as it told another last.
+  const std::vector<std::string>& told_to_wait_for(const std::string& one,
+                                                   const std::string& other) const {
+    return waits_told_.at({one, other});
+  }
   /// That were told, over all messages.
   std::size_t volumes() const { return volumes_; }
 
  private:
   void send(const std::string& from, const Tell& tell) {
     ++messages_;
+    if (!tell.message.brief) waits_told_[{from, tell.to}] = tell.message.claim.waits_for;
     volumes_ += tell.message.claim.held.size() + tell.message.claim.wanted.size();
     const auto once = [&] {
       if (random_.chance(radio_.loss)) return;
@@ -139,6 +145,7 @@ class Net {
   std::vector<MoveAside> asides_;
   std::set<std::pair<std::string, std::string>> cuts_;
   std::multimap<double, std::pair<std::string, Tell>> under_way_;
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> waits_told_;
   std::size_t messages_ = 0, volumes_ = 0;
 };
 
