@@ -376,15 +376,41 @@ TEST_P(AwayForLong, TheGroundStationGivesAgainWhatUavsHandedOver) {
   EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
 }
-INSTANTIATE_TEST_SUITE_P(Missions, AwayForLong,
-                         ::testing::Values(AwayTooLong{"heliv-marvin/monitoring", 105},
-                                           AwayTooLong{"heliv-marvin/monitoring", 225},
-                                           AwayTooLong{"iros2005/fire", 446},
-                                           AwayTooLong{"iros2005/fire", 900}),
-                         [](const auto& one) {
-                           return word_of(one.param.mission) + "_" +
-                                  std::to_string(static_cast<int>(one.param.at));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Missions, AwayForLong,
+    ::testing::Values(AwayTooLong{"heliv-marvin/monitoring", 105},
+                      AwayTooLong{"heliv-marvin/monitoring", 225},
+                      AwayTooLong{"comets/confirmed", 268}, AwayTooLong{"comets/confirmed", 446},
+                      AwayTooLong{"iros2005/fire", 446}, AwayTooLong{"iros2005/fire", 900}),
+    [](const auto& one) {
+      return word_of(one.param.mission) + "_" + std::to_string(static_cast<int>(one.param.at));
+    });
+
+// The look that would have found the fire was not taken, or nobody heard of it: the detection ends,
+// and with it the mission.
+TEST(BlindWhileDetecting, AMissionThatFindsNothingEnds) {
+  for (const char* daemon : {"marvin", "sim"}) {
+    const Mission mission =
+        killed(scenario_at("comets/confirmed"), daemon, at(223.4), Duration::seconds(60));
+
+    EXPECT_EQ(mission.count({{"kind", "alarm"}}), 0U) << daemon;
+    EXPECT_EQ(mission.count({{"kind", "step"}, {"name", "nothing-found"}}), 1U) << daemon;
+    EXPECT_EQ(mission.count({{"kind", "mission"}, {"state", "finished"}}), 1U) << daemon;
+    EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "") << daemon;
+    EXPECT_EQ(mission.untrue, "") << daemon;
+  }
+}
+
+// What was asked of a UAV while it was dead has expired: the others do not wait for it for ever.
+TEST(NotAskedAgain, InCometsTheOperatorEndsTheMonitoring) {
+  const Mission mission =
+      killed(scenario_at("comets/confirmed"), "marvin", at(387), Duration::seconds(67));
+
+  EXPECT_EQ(mission.count({{"kind", "operator"}, {"does", "end-monitoring"}}), 1U);
+  EXPECT_EQ(mission.count({{"kind", "mission"}, {"state", "finished"}}), 1U);
+  EXPECT_EQ(mission.count({{"kind", "task"}, {"task", "32"}, {"state", "ended"}}), 3U);
+  EXPECT_EQ(mission.untrue, "");
+}
 
 // ---- two deaths in one run ----
 

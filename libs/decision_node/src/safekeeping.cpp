@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core.hpp"
+#include "interrupted.hpp"
 #include "skein/elementary/parameter_reader.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/supervisor/own_ways.hpp"
@@ -40,27 +41,49 @@ std::optional<MissionTime> Safekeeping::next_wakeup() const {
 
 // What is planned, or being synchronised, is given up and what flies the vehicle is interrupted, so
 // that nothing of the plan moves it while the ground is silent; the supervisor decides nothing
-// more. What the ground itself requested (degree 1) is interrupted first.
+// more. What the ground itself requested (degree 1) is interrupted first. The ground gets the plan
+// of the supervisor, or else the tasks that were interrupted, for somebody to give them again.
+// One on the ground that has nothing to do has nothing to stop, and goes on taking missions.
 void Safekeeping::carry_out_policy() {
   const ContactPolicy policy = core_.config().contact_policy;
   core_.bus().emit(PolicyCarriedOut{policy, ""});
   core_.voice().give_up("its contact-loss policy: " + std::string(to_text(policy)));
   Deliberation& deliberation = core_.deliberation();
-  const bool deliberated = deliberation.engaged();
-  deliberation.disengage("contact lost: " + std::string(to_text(policy)));
+  const bool deliberated = deliberation.engaged() && !has_nothing_to_do();
+  if (deliberated) deliberation.disengage("contact lost: " + std::string(to_text(policy)));
   owed_ = !may_be_on_its_way();
+  std::vector<mission::HeldTask> before = core_.execution().held();
   if (may_be_on_its_way()) {
-    const auto passed = core_.vehicle().of_ground();
-    for (const auto& [task, type] : passed) core_.interrupt(task);
-    const std::vector<executive::TaskStatus> tasks = core_.execution().tasks();
-    for (auto task = tasks.rbegin(); task != tasks.rend(); ++task) {
-      const bool waits = task->state == executive::TaskState::kScheduled;
-      const bool talks = functional::TaskTypes::shipped().of(task->type).synchronises();
-      if (waits || talks) core_.execution().run(executive::Abort{task->id});
-    }
+    stop_plan();
     keep(policy);
   }
-  if (deliberated) core_.autonomy().hand_over(core_.execution().held());
+  if (deliberated) return core_.autonomy().hand_over(core_.execution().held());
+  core_.bus().post([this, before = std::move(before)] { give_back(before); });
+}
+
+// Of team tasks, at degree 5, it may be granted one by others at any time.
+bool Safekeeping::has_nothing_to_do() const {
+  const std::vector<mission::GoalStatus> goals = core_.deliberation().goals();
+  return !may_be_on_its_way() && !mission::allocates(core_.degree()) &&
+         core_.execution().held().empty() &&
+         std::all_of(goals.begin(), goals.end(),
+                     [](const auto& goal) { return mission::is_settled(goal.state); });
+}
+
+void Safekeeping::give_back(const std::vector<mission::HeldTask>& before) {
+  auto interrupted = interrupted_since(before, core_.execution().held());
+  if (!interrupted.empty()) core_.autonomy().hand_over(std::move(interrupted));
+}
+
+void Safekeeping::stop_plan() {
+  const auto passed = core_.vehicle().of_ground();
+  for (const auto& [task, type] : passed) core_.interrupt(task);
+  const std::vector<executive::TaskStatus> tasks = core_.execution().tasks();
+  for (auto task = tasks.rbegin(); task != tasks.rend(); ++task) {
+    const bool waits = task->state == executive::TaskState::kScheduled;
+    const bool talks = functional::TaskTypes::shipped().of(task->type).synchronises();
+    if (waits || talks) core_.execution().run(executive::Abort{task->id});
+  }
 }
 
 void Safekeeping::keep(ContactPolicy how) {

@@ -40,6 +40,9 @@ class Safekeeping {
 
  private:
   void carry_out_policy();
+  void stop_plan();
+  /// What was interrupted of `before`, if nothing else has it: somebody may give it again.
+  void give_back(const std::vector<mission::HeldTask>& before);
   void hold();
   void come_home();
   void come_home_again();
@@ -49,6 +52,7 @@ class Safekeeping {
   void warn_of_energy(const world::Telemetry& telemetry);
   bool must_return(const world::Telemetry& telemetry) const;
   bool may_be_on_its_way() const;
+  bool has_nothing_to_do() const;
   bool is_idle() const;
   bool is_left_alone() const;
   bool knows_world() const;

@@ -46,8 +46,7 @@ void GroundControl::take_over(const HandedOver& hand_over, MissionTime now, Effe
   if (hand_over.resumes) {
     drop(uav, out);
   } else if (!planned.empty()) {
-    const std::size_t count = held_.hold(uav, planned);
-    out.emplace_back(HeldPlanChanged{uav, count, HeldState::kHeld});
+    hold(uav, std::move(planned), out);
   }
   if (!runs_at_ground(hand_over.hand_over.degree)) return;
   for (const auto& [key, last] : syncs_[uav]) {
@@ -59,6 +58,15 @@ void GroundControl::take_over(const HandedOver& hand_over, MissionTime now, Effe
   for (const Request& request : requests_for(uav, std::move(executed))) {
     do_errand(LocalInput{uav, *to_executive(request), std::nullopt}, now, out);
   }
+}
+
+// What its policy interrupted is over on board, and so are the ids of those tasks.
+void GroundControl::hold(const std::string& uav, std::vector<HeldTask> tasks, Effects& out) {
+  stand_ins_.stand_in(uav, tasks, [&](executive::TaskId id) {
+    const std::optional<TaskOnBoard> task = monitoring_.find_task(uav, id);
+    return task && !task->lost;
+  });
+  out.emplace_back(HeldPlanChanged{uav, held_.hold(uav, tasks), HeldState::kHeld});
 }
 
 // The UAV's executive asks for what is under way once more, so nothing is interrupted here.

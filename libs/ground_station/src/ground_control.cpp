@@ -234,12 +234,17 @@ void GroundControl::route(const Monitoring::Effect& effect, MissionTime now, Eff
                    if (it.state == CommandState::kExpired) tell_planning(it);
                  },
                  [&](const Anomaly& it) { report(it, out); },
-                 [&](const TaskChanged& it) { tell_planning(it); },
+                 [&](const TaskChanged& it) {
+                   tell_planning(it);
+                   if (const auto original = stand_ins_.original_of(it.uav, it.task))
+                     tell_planning(TaskChanged{it.uav, *original, it.state});
+                 },
                  [&](const GoalChanged& it) {
                    if (it.state == mission::GoalState::kCancelled) give_up(it.uav, it.goal, out);
                    tell_planning(it);
                  },
                  [&](const MissionChanged& it) { tell_planning(it); },
+                 [&](const PlanInterrupted& it) { tell_planning(it); },
                  [&](const UavRestarted& it) {
                    out.emplace_back(it);
                    stop_playing(it.uav, "the decision node of '" + it.uav + "' restarted", out);
@@ -290,7 +295,11 @@ void GroundControl::route(const MissionPlanning::Effect& effect, Effects& out) {
     errands_.emplace_back(Monitoring::Input(it));
   };
   std::visit(Overloaded{
-                 [&](const IssueCommand& it) { tell_monitoring(it); },
+                 [&](const IssueCommand& it) {
+                   IssueCommand command = it;
+                   command.request = stand_ins_.redirected(it.uav, it.request);
+                   tell_monitoring(command);
+                 },
                  [&](const IssueToAll& it) { tell_monitoring(it); },
                  [&](const AbortEverything& it) { tell_monitoring(it); },
                  [&](const ChangeHands& it) { tell_monitoring(it); },

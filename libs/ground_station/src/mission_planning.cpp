@@ -213,6 +213,8 @@ void MissionPlanning::note_autonomy(const Input& input, MissionTime now) {
     mark<OnDegree>(now, [&](const OnDegree& on) {
       return on.uav == degree->uav && on.degree == degree->degree;
     });
+  } else if (const auto* plan = std::get_if<PlanInterrupted>(&input)) {
+    mark<OnHeld>(now, [&](const OnHeld& on) { return on.uav == plan->uav; });
   } else if (const auto* goal = std::get_if<GoalChanged>(&input)) {
     mark<OnGoal>(now, [&](const OnGoal& on) {
       return on.uav == goal->uav && on.goal == goal->goal && on.state == goal->state;

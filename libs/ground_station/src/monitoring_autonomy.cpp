@@ -76,10 +76,12 @@ void Monitoring::on(const HandOverReceived& input, MissionTime, Effects& effects
       is_wanted ? record->change->wanted : record->unanswered;
   const bool resumes = mission::deliberates(hand_over.degree) && asked &&
                        asked->degree == hand_over.degree && asked->resume;
+  const bool unasked = !asked && hand_over.degree == record->board.degree;
   record->unanswered.reset();
   set_degree(*record, hand_over.degree, effects);
   take_goals(*record, hand_over.goals, input.at, effects);
   effects.emplace_back(HandedOver{input.uav, hand_over, resumes});
+  if (unasked) effects.emplace_back(PlanInterrupted{input.uav});
   if (!is_wanted) return;
   record->change->seen.reset();
   settle(*record, effects);

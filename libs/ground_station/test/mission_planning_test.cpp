@@ -90,6 +90,7 @@ TEST(MissionPlanning, EachKindOfEventFiresItsTrigger) {
        of_step("it", CommandState::kExpired)},
       {when(OnExpired{"it"}), of_step("it", CommandState::kRefused),
        of_step("it", CommandState::kExpired)},
+      {when(OnHeld{"marvin"}), PlanInterrupted{"heliv"}, PlanInterrupted{"marvin"}},
       {when(OnDegree{"marvin", 1}), DegreeChanged{"marvin", 3}, DegreeChanged{"marvin", 1}},
       {when(OnGoal{"marvin", GoalId(701), GoalState::kAchieved}),
        GoalChanged{"marvin", GoalId(701), GoalState::kFailed},

@@ -70,6 +70,10 @@ std::optional<Trigger> read_uav_trigger(const Reader& reader, TaskContext& conte
   if (given("goal")) return Trigger{read_on_goal(reader.optional("goal"), context)};
   if (given("degree")) return Trigger{read_on_degree(reader.optional("degree"), context)};
   if (given("silent")) return Trigger{read_on_silence(reader.optional("silent"), context)};
+  if (given("held")) {
+    return Trigger{
+        ground_station::OnHeld{reader.optional("held").name_among(context.names.uavs, "a UAV")}};
+  }
   if (given("restart")) {
     return Trigger{ground_station::OnRestart{
         reader.optional("restart").name_among(context.names.uavs, "a UAV")}};
@@ -107,8 +111,9 @@ std::optional<Trigger> read_step_trigger(const Reader& reader, const TaskContext
 }
 
 Trigger read_trigger(const Reader& reader, TaskContext& context) {
-  if (!reader.keys({"time", "alarm", "task", "mission", "goal", "degree", "operator", "step",
-                    "expired", "restart", "silent", "team_task", "global_mission", "all", "any"})) {
+  if (!reader.keys({"time", "alarm", "task", "mission", "goal", "degree", "held", "operator",
+                    "step", "expired", "restart", "silent", "team_task", "global_mission", "all",
+                    "any"})) {
     return wrong_trigger();
   }
   if (entries_of(reader).size() > 1 || reader.entries().empty()) {

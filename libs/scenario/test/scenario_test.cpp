@@ -326,6 +326,7 @@ TEST(ScenarioTriggers, EveryKindIsRead) {
   EXPECT_EQ(std::get<gs::OnOperator>(trigger_of("{operator: stop}").what).does, "stop");
   EXPECT_EQ(std::get<gs::OnStep>(trigger_of("{step: end}").what).step, "end");
   EXPECT_EQ(std::get<gs::OnExpired>(trigger_of("{expired: end}").what).step, "end");
+  EXPECT_EQ(std::get<gs::OnHeld>(trigger_of("{held: heliv}").what).uav, "heliv");
   EXPECT_EQ(std::get<gs::OnSilence>(trigger_of("{silent: {uav: heliv, for: 90}}").what).lasts,
             Duration::seconds(90));
   EXPECT_EQ(std::get<gs::OnRestart>(trigger_of("{restart: heliv}").what).uav, "heliv");

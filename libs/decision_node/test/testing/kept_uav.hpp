@@ -105,6 +105,7 @@ class KeptUav {
   /// Of the last goto: its way-points, flat.
   const std::vector<double>& last_way() const { return last_way_; }
   std::uint64_t last_id() const { return last_id_; }
+  const std::vector<HandedOver>& handed_over() const { return handed_over_; }
 
   static constexpr const char* kGround = "ground";
 
@@ -139,6 +140,7 @@ class KeptUav {
       log_.push_back("policy " + std::string(to_text(one->policy)) +
                      (one->why.empty() ? "" : ": " + one->why));
     if (const auto* one = std::get_if<Notice>(&effect)) log_.push_back("notice: " + one->text);
+    if (const auto* one = std::get_if<HandedOver>(&effect)) handed_over_.push_back(*one);
   }
   void ask(const functional::Request& request) {
     if (request.verb == functional::Verb::kDispatch) {
@@ -175,6 +177,7 @@ class KeptUav {
   bool brakes_ = true;
   std::vector<double> last_way_;
   std::uint64_t last_id_ = 0;
+  std::vector<HandedOver> handed_over_;
   std::vector<std::string> log_;
 };
 

@@ -233,7 +233,8 @@ struct DegreeChanged {
   Degree degree = 3;
 };
 /// A UAV handed its plan over; after DegreeChanged, if the degree changed. A UAV does so by itself
-/// when its contact-loss policy takes the plan from its supervisor.
+/// when its contact-loss policy takes the plan from its supervisor, or interrupts tasks of an
+/// operator's: those then.
 struct HandedOver {
   std::string uav;
   mission::HandOver hand_over;
@@ -303,7 +304,8 @@ struct DeclareLost {
 enum class HeldState { kHeld, kResumed, kDropped };
 /// "held", "resumed", "dropped".
 std::string_view to_text(HeldState state);
-/// Tasks of a plan that a UAV handed over were held, resumed or dropped; for the journal.
+/// Tasks of a plan that a UAV handed over were held, resumed or dropped; for the
+/// journal.
 struct HeldPlanChanged {
   std::string uav;
   std::size_t tasks = 0;  ///< how many

@@ -81,6 +81,11 @@ struct OnDegree {
   std::string uav;
   Degree degree = 1;
 };
+/// What the UAV's contact-loss policy interrupted is held at the ground station: goals at degrees 4
+/// and 5, tasks at 2 and 3.
+struct OnHeld {
+  std::string uav;
+};
 /// A task of a global mission came to this stage in the team's book.
 struct OnTeamTask {
   mission::GoalId task;
@@ -104,7 +109,7 @@ struct AnyOf {
 /// AllOf occurs at once, an empty AnyOf never.
 struct Trigger {
   std::variant<AtTime, OnAlarm, OnTask, OnOperator, OnStep, OnExpired, OnRestart, OnSilence,
-               OnMission, OnGoal, OnDegree, OnTeamTask, OnGlobalMission, AllOf, AnyOf>
+               OnMission, OnGoal, OnDegree, OnHeld, OnTeamTask, OnGlobalMission, AllOf, AnyOf>
       what;
 };
 

@@ -20,6 +20,7 @@
 #include "skein/ground_station/object_tracking.hpp"
 #include "skein/ground_station/operator_desk.hpp"
 #include "skein/ground_station/perception_processing.hpp"
+#include "skein/ground_station/stand_ins.hpp"
 
 namespace skein::ground_station {
 
@@ -65,7 +66,9 @@ struct GroundConfig {
 /// UAV as START in the same way; a dispatch from here that arrives after the change is refused,
 /// after the hand-over, since events keep their order, and is ignored. Synchronisation messages
 /// known here are transferred, too. Tasks that were only planned are held here: commands about them
-/// edit them, ResumePlan starts them, DropPlan discards them.
+/// edit them, ResumePlan starts them, DropPlan discards them. So are tasks that a contact-loss
+/// policy interrupted, under new ids; to the script and in what it asks they go by the ids that it
+/// gave.
 ///
 /// Each state of a task is reported once: states that a transferred task repeats are not reported.
 ///
@@ -176,6 +179,7 @@ class GroundControl {
 
   // execution_transfer.cpp
   void take_over(const HandedOver& hand_over, MissionTime now, Effects& out);
+  void hold(const std::string& uav, std::vector<mission::HeldTask> tasks, Effects& out);
   void send_up(const std::string& uav, MissionTime now, Effects& out);
   void resume(const ResumeHeld& request, Effects& out);
   void drop(const std::string& uav, Effects& out);
@@ -198,6 +202,7 @@ class GroundControl {
   std::map<std::string, LocalMle> local_;
   std::deque<Errand> errands_;
   HeldPlans held_;
+  StandIns stand_ins_;
   /// Synchronisation messages seen here, by receiver: the last one of each id and sender.
   std::map<std::string, std::map<std::pair<std::uint64_t, std::string>, executive::SyncReceived>>
       syncs_;

@@ -13,6 +13,7 @@
 #include "skein/ground_orders/messages.hpp"
 #include "skein/ground_orders/operator_request.hpp"
 #include "skein/ground_orders/script.hpp"
+#include "skein/ground_station/plan_interrupted.hpp"
 #include "skein/world/terrain.hpp"
 
 namespace skein::ground_station {
@@ -33,9 +34,10 @@ namespace skein::ground_station {
 /// sent task lists with their dependencies), spec 8.1.
 class MissionPlanning {
  public:
-  using Input = std::variant<Tick, AlarmEvent, AlarmRefined, TaskChanged, UavRestarted,
-                             PeerReachable, CommandChanged, OperatorActs, DoActions, DegreeChanged,
-                             GoalChanged, MissionChanged, TeamTaskChanged, GlobalMissionChanged>;
+  using Input =
+      std::variant<Tick, AlarmEvent, AlarmRefined, TaskChanged, UavRestarted, PeerReachable,
+                   CommandChanged, OperatorActs, DoActions, DegreeChanged, GoalChanged,
+                   MissionChanged, TeamTaskChanged, GlobalMissionChanged, PlanInterrupted>;
   using Effect = std::variant<IssueCommand, IssueToAll, AbortEverything, ChangeHands, ResumeHeld,
                               DropHeld, PhaseEntered, OperatorDid, StepDone, MissionFinished,
                               GiveGlobalMission, DeclareLost, PlayRole, Anomaly>;

@@ -12,6 +12,7 @@
 
 #include "skein/ground_orders/messages.hpp"
 #include "skein/ground_station/mission_checks.hpp"
+#include "skein/ground_station/plan_interrupted.hpp"
 #include "skein/ground_station/task_board.hpp"
 
 namespace skein::ground_station {
@@ -83,7 +84,8 @@ class Monitoring {
                    CommandUndelivered, PeerReachable, PlanBoardReceived, MissionPlanReceived,
                    HandOverReceived, DecisionReceived, MissionOutcomeReceived>;
   using Effect = std::variant<SendRequest, CommandChanged, TaskChanged, UavRestarted, DegreeChanged,
-                              HandedOver, ChangeSettled, GoalChanged, MissionChanged, Anomaly>;
+                              HandedOver, PlanInterrupted, ChangeSettled, GoalChanged,
+                              MissionChanged, Anomaly>;
 
   struct Uav {
     std::string name;
