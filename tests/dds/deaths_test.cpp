@@ -77,6 +77,7 @@ void expect_nothing_lost(const std::string& scenario, const std::vector<Death>& 
   const std::vector<journal::Record> records = run.records();
   EXPECT_EQ(those_who_came_back(records), those_who_die(deaths));
   EXPECT_TRUE(status->code == 0 || says_why(records)) << run.output();
+  EXPECT_TRUE(is_explained(records)) << run.output();
   EXPECT_EQ(breaches_of(records), "");
   EXPECT_EQ(left_under_way(records), "");
   EXPECT_TRUE(run.nothing_runs());

@@ -15,7 +15,9 @@
 #include "skein/export_tool/export.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/joined.hpp"
+#include "skein/journal/lines/run.hpp"
 #include "skein/laws/laws.hpp"
+#include "skein/laws/waiting.hpp"
 #include "skein/report/explain.hpp"
 #include "skein/run_tool/whole_run.hpp"
 #include "skein/scenario_setup/setup.hpp"
@@ -57,6 +59,18 @@ void warn_of_encounters(const Scenario& scenario, const WholeRun& run, std::ostr
     out << "         nothing keeps ways apart here: separation: {merge: true} does\n";
 }
 
+/// What the script of a mission that was not finished still waited for.
+void print_waits(const std::vector<journal::Record>& records, std::ostream& out) {
+  for (const journal::Record& record : records) {
+    if (record.kind() != journal::lines::Waiting::kKind) continue;
+    laws::Waiting waiting{std::string(record.text("step")), std::string(record.text("for")),
+                          std::string(record.text("is")), std::nullopt,
+                          std::string(record.text("why"))};
+    if (record.find("since") != nullptr) waiting.since = record.number("since");
+    out << "        " << to_text(waiting) << '\n';
+  }
+}
+
 void print_summary(const WholeRun& run, const std::string& folder, std::ostream& out) {
   const auto& [played, verdicts] = run;
   const std::string early = early_end(played);
@@ -72,6 +86,7 @@ void print_summary(const WholeRun& run, const std::string& folder, std::ostream&
     out << "the time limit came before the mission's end\n";
   if (played.end == Played::End::kIdle)
     out << "nothing was left to happen before the mission's end\n";
+  print_waits(played.records, out);
   if (ended_unjudged(run))
     out << "FAILED  the mission did not end, and the scenario expects nothing else\n";
   out << passed << " of " << verdicts.size() << " expectations met; report: " << folder

@@ -8,6 +8,7 @@
 #include "run_folder.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/journal/lines/run.hpp"
+#include "skein/laws/waiting.hpp"
 
 namespace skein::run_tool {
 
@@ -28,6 +29,12 @@ void append_verdicts(const std::vector<scenario::Verdict>& verdicts,
 }  // namespace
 
 WholeRun judged(const scenario::Scenario& scenario, Played played, Duration allowed_late) {
+  const bool stopped = played.end == Played::End::kTimeLimit || played.end == Played::End::kIdle;
+  if (stopped && !played.records.empty()) {
+    for (const journal::Record& line :
+         laws::waiting_lines(laws::waits_of(scenario, played.records), played.records.back().at()))
+      played.records.push_back(line);
+  }
   auto verdicts = scenario::check(scenario.expectations, played.records, allowed_late);
   append_verdicts(verdicts, played.records);
   return {std::move(played), std::move(verdicts)};

@@ -26,7 +26,7 @@ std::vector<Kind> all() {
                    Plan, Planned, Decision, Answer, Air, Meeting, Frontier, Joint, Role, RoleTask,
                    Place, Scm, Negotiation, GlobalMission, Owner, Token, Sale, Bid, TeamTask,
                    Message, Resumed, Route, Reach, Expired, Lost, Unsent, Dropped, Transport, Link,
-                   Telemetry, Object, Fault, Process, Expectation>();
+                   Telemetry, Object, Fault, Process, Waiting, Expectation>();
 }
 
 }  // namespace

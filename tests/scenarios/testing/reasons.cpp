@@ -19,6 +19,13 @@ bool says_why(const std::vector<Record>& records) {
   });
 }
 
+bool is_explained(const std::vector<Record>& records) {
+  return std::any_of(records.begin(), records.end(), [](const Record& record) {
+    const bool finished = record.kind() == "mission" && record.text("state") == "finished";
+    return finished || (record.kind() == "waiting" && !record.text("why").empty());
+  });
+}
+
 std::string left_under_way(const std::vector<Record>& records) {
   std::map<std::pair<std::string, double>, std::string> told, carried;
   for (const Record& record : records) {

@@ -29,6 +29,24 @@ struct Process {
   }
 };
 
+/// What the script of a mission that was not finished still waited for.
+struct Waiting {
+  static constexpr std::string_view kKind = "waiting";
+  Text step = {};
+  Text awaited = {};
+  Text is = {};
+  std::optional<double> since = {};
+  OptionalText why = {};
+
+  static void fields(auto& it, auto&& each) {
+    each("step", it.step);
+    each("for", it.awaited);
+    each("is", it.is);
+    each("since", it.since);
+    each("why", it.why);
+  }
+};
+
 /// A verdict: the last lines of the log.
 struct Expectation {
   static constexpr std::string_view kKind = "expectation";
