@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // High-level tasks, plans, hand-over and changes of degree on the status board.
 #include <algorithm>
+#include <utility>
 
 #include "skein/ground_station/monitoring.hpp"
 
@@ -61,8 +62,10 @@ void Monitoring::settle_if_closed(Record& record, CommandNumber number, CommandS
                                   Effects& effects) {
   if (!record.change || record.change->command != number) return;
   if (state == CommandState::kExpired) record.unanswered = record.change->wanted;
+  const bool acknowledged = state == CommandState::kAcknowledged;
   const bool hand_over_follows =
-      state == CommandState::kAcknowledged && record.change->wanted.degree != record.board.degree;
+      acknowledged && record.change->wanted.degree != record.board.degree;
+  record.tells_again = acknowledged && !hand_over_follows;
   if (!hand_over_follows) settle(record, effects);
 }
 
@@ -76,7 +79,8 @@ void Monitoring::on(const HandOverReceived& input, MissionTime, Effects& effects
       is_wanted ? record->change->wanted : record->unanswered;
   const bool resumes = mission::deliberates(hand_over.degree) && asked &&
                        asked->degree == hand_over.degree && asked->resume;
-  const bool unasked = !asked && hand_over.degree == record->board.degree;
+  const bool told_again = std::exchange(record->tells_again, false);
+  const bool unasked = !asked && !told_again && hand_over.degree == record->board.degree;
   record->unanswered.reset();
   set_degree(*record, hand_over.degree, effects);
   take_goals(*record, hand_over.goals, input.at, effects);

@@ -134,6 +134,18 @@ TEST(Interrupted, IsNotWhoWasAskedToChangeItsDegree) {
   EXPECT_THAT(steps_of(asked), IsEmpty());
 }
 
+// A script that gives the degree again to who was interrupted would do so for ever.
+TEST(Interrupted, IsNotWhoIsGivenTheDegreeThatItHas) {
+  GroundControl ground = giving_again();
+  const Effects issued = ground.handle(
+      OperatorCommand{"marvin", mission::ChangeDegree{3}, Duration::seconds(60)}, at(1));
+  const CommandNumber command = first<SendRequest>(issued).command;
+  ground.handle(RequestReplyReceived{command, true, ""}, at(2));
+
+  EXPECT_THAT(steps_of(hand_over(ground, {held(5)}, 2)), IsEmpty());
+  EXPECT_THAT(steps_of(hand_over(ground, {held(6)}, 3)), ElementsAre("again"));
+}
+
 TEST(Interrupted, ASecondTimeIsGivenAgainOnceMore) {
   GroundControl ground = giving_again();
   tell(ground, 5, TaskState::kRunning, 1);

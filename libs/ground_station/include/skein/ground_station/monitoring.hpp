@@ -147,6 +147,7 @@ class Monitoring {
     std::optional<Change> change;
     /// The last change that expired; it may have been made, and its hand-over be under way.
     std::optional<mission::ChangeDegree> unanswered;
+    bool tells_again = false;  ///< asked for the degree that it has: its plan comes all the same
     std::deque<CommandNumber> waiting;  ///< commands that wait for the change, in order
     std::set<std::string> messages;     ///< that its MLE has processed
     ModelVersions models;               ///< of joint tasks, as the UAV reported
