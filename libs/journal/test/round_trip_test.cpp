@@ -195,7 +195,7 @@ std::vector<Laws> all_laws() {
                  lines::Plan, Planned, Decision, Answer, Air, Meeting, Frontier, Joint, Role,
                  RoleTask, Place, Scm, Negotiation, GlobalMission, Owner, Token, Sale, Bid,
                  TeamTask, Message, Resumed, Route, Reach, Expired, Lost, Unsent, Dropped,
-                 Transport, Link, Telemetry, Object, Fault, Process, Expectation>();
+                 Transport, Link, Telemetry, Object, Fault, Process, Waiting, Expectation>();
 }
 
 void for_each_kind(std::function<void(std::uint64_t)> Laws::*law) {
