@@ -68,34 +68,39 @@ TEST(Storm, KeepsASmallScenarioOfARunThatBreaksALaw) {
   fs::remove_all(folder);
   fs::create_directories(folder);
   const std::string model = "model: " + kScenarios + "/comets/models/";
-  const std::string takeoff =
-      "tasks: [{id: 1, type: takeoff, mode: VUT, params: {altitude: 30}}]}}]}\n";
-  std::ofstream(folder / "unanswered.yaml")
-      << "scenario: unanswered\nepoch: 2005-05-19T09:00:00Z\nduration_limit: 100\n"
+  const auto meets = [](const std::string& uav) {
+    return "do: [{plan: {uav: " + uav +
+           ", tasks: [{id: 1, type: takeoff, mode: VUT, params: {altitude: 30}}, {id: 2, type: "
+           "goto, "
+           "mode: DEP, params: {to: [30, 0, 30]}}]}}]}\n";
+  };
+  std::ofstream(folder / "near.yaml")
+      << "scenario: near\nepoch: 2005-05-19T09:00:00Z\nduration_limit: 100\n"
       << "world: {origin: {latitude: 40, longitude: -8, altitude: 0}, terrain: {west: -300, south: "
          "-300, east: 300, north: 300, cell: 20}}\n"
       << "uavs:\n  marvin: {" << model << "marvin.yaml, start: [0, 0]}\n  heliv: {" << model
-      << "heliv.yaml, start: [50, 0]}\n"
-      << "ground:\n  command_lifetime: 600\n  script:\n"
-      << "    - {step: one, when: {time: 5}, do: [{plan: {uav: marvin, " << takeoff
-      << "    - {step: other, when: {time: 6}, do: [{plan: {uav: heliv, " << takeoff
-      << "faults: [{at: 3, kill: marvin}, {at: 50, slow: {uav: heliv, factor: 2, for: 9}}]\n";
+      << "heliv.yaml, start: [60, 0]}\n  other: {" << model << "heliv.yaml, start: [200, 200]}\n"
+      << "separation: {merge: false}\n"
+      << "ground:\n  script:\n"
+      << "    - {step: one, when: {time: 5}, " << meets("marvin")
+      << "    - {step: two, when: {time: 6}, " << meets("heliv")
+      << "faults: [{at: 50, slow: {uav: other, factor: 2, for: 9}}]\n";
   StormOptions options;
-  options.scenarios = {(folder / "unanswered.yaml").string()};
+  options.scenarios = {(folder / "near.yaml").string()};
   options.seeds = "1";
   options.save = (folder / "kept").string();
-  options.judge.only = {"protocol"};
+  options.judge.only = {"separation"};
 
   const Told told = run(options);
 
   EXPECT_EQ(told.code, kExitNegative);
-  EXPECT_THAT(told.out, HasSubstr("unanswered: "));
-  std::ifstream file(folder / "kept" / "protocol-unanswered.yaml");
+  EXPECT_THAT(told.out, HasSubstr("near: "));
+  std::ifstream file(folder / "kept" / "separation-near.yaml");
   const std::string kept{std::istreambuf_iterator<char>(file), {}};
   EXPECT_THAT(kept, HasSubstr("# "));
-  EXPECT_THAT(kept, HasSubstr("kill: marvin"));
+  EXPECT_THAT(kept, HasSubstr("heliv"));
   EXPECT_EQ(kept.find("slow"), std::string::npos) << kept;
-  EXPECT_EQ(kept.find("heliv"), std::string::npos) << kept;
+  EXPECT_EQ(kept.find("other"), std::string::npos) << kept;
 }
 
 TEST(Storm, SaysWhatIsWrongWithItsInput) {

@@ -13,7 +13,7 @@ namespace skein::mission_lab {
 
 namespace {
 
-constexpr double kAllGiven = 12;        // by then all have their missions [s]
+constexpr double kAllGiven = 12;     // by then all have their missions [s]
 constexpr double kLatestLoss = 420;  // of what befalls a partner [s]
 
 class PartnerDrawing {
@@ -30,7 +30,7 @@ class PartnerDrawing {
     mission_.wind = "toward: " + tenths(random_.uniform(0, 6.2)) +
                     ", speed: " + tenths(random_.uniform(0, 3)) + ", gusts: 0.1";
     draw_uavs();
-    const bool joint = random_.chance(0.6);
+    const bool joint = random_.chance(0.6) && kinds_.joint;
     if (joint) joint_ = draw_joint_task(random_, {"uav1", "uav2"});
     meets_ = !joint || random_.chance(0.6);
     mission_.joint = joint;

@@ -226,7 +226,7 @@ TEST_P(Generators, DrawDeathsOfTheirOwnDaemonsOnly) {
   deaths.deaths = true;
   int killed = 0;
   for_all(
-      [&](const DrawnMission& drawn) {
+      [&, this](const DrawnMission& drawn) {
         Names daemons = drawn.uavs();
         daemons.insert({"ground", "sim"});
         const int before = killed;
@@ -235,8 +235,14 @@ TEST_P(Generators, DrawDeathsOfTheirOwnDaemonsOnly) {
           ++killed;
           EXPECT_THAT(daemons, Contains(fault["kill"].as<std::string>()));
           EXPECT_GE(fault["at"].as<double>(), 3.0);
-          EXPECT_GE(fault["restart_after"].as<double>(), 0.0);
-          EXPECT_LE(fault["restart_after"].as<double>(), 15.0);
+          // Partners may stay away for longer than anybody waits, or for good.
+          const bool partners = std::string(GetParam().name) == "Partners";
+          const auto away = fault["restart_after"];
+          EXPECT_TRUE(away || partners);
+          if (away) {
+            EXPECT_GE(away.as<double>(), 0.0);
+            EXPECT_LE(away.as<double>(), partners ? 500.0 : 15.0);
+          }
           if (fault["forgets"]) {
             EXPECT_EQ(fault["kill"].as<std::string>(), "sim");
           }

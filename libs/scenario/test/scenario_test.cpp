@@ -93,10 +93,11 @@ TEST(Scenario, CometsScriptKeepsItsStepsInOrder) {
 
   std::vector<std::string> phases;
   for (const auto& step : script.steps) phases.push_back(step.name + "/" + step.phase);
-  EXPECT_EQ(phases, (std::vector<std::string>{"detection/Detection", "confirmation/Confirmation",
-                                              "monitoring/Monitoring", "nothing-found/",
-                                              "return/Return", "end/"}));
-  ASSERT_EQ(script.operators.size(), 1U);
+  EXPECT_EQ(phases,
+            (std::vector<std::string>{"detection/Detection", "confirmation/Confirmation",
+                                      "monitoring/Monitoring", "marvin-again/", "heliv-again/",
+                                      "nothing-found/", "return/Return", "end/"}));
+  ASSERT_EQ(script.operators.size(), 2U);
   EXPECT_EQ(script.operators[0].does, "end-monitoring");
   EXPECT_EQ(script.operators[0].after, Duration::seconds(30));
 }
