@@ -89,9 +89,10 @@ bool Execution::has_lease(const std::string& uav) const {
 }
 
 // In reach and without the meeting in its plan it may get it yet, for as long as one that is silent
-// may come.
+// may come. Of synchronisations between roles no plan tells.
 std::optional<MissionTime> Execution::stays_away_until(const executive::Wait& wait,
                                                        const std::string& uav) const {
+  if (wait.id >= functional::kFirstRoleId) return std::nullopt;
   const auto said = degrees_.find(uav);
   if (said != degrees_.end() && !mission::deliberates(said->second)) return std::nullopt;
   if (core_.partners().silent_since(uav)) return std::nullopt;
