@@ -70,6 +70,7 @@ void sharing(std::ostream& out, const Mission& m) {
   if (m.global.empty()) return;
   out << "\nteam: {lease: 10";
   if (!m.bidders.empty()) out << ", members: [" << joined(m.bidders, ", ") << ']';
+  if (!m.sharing.empty()) out << ", " << m.sharing;
   out << "}\n";
 }
 
@@ -77,12 +78,15 @@ void radio(std::ostream& out, const Mission& m) {
   out << "\nradio:\n  range: " << m.range << "\n  line_of_sight: true\n  latency: " << m.latency
       << "\n  loss: " << m.loss << '\n';
   if (!m.relays.empty()) out << "  relays: [" << joined(m.relays, ", ") << "]\n";
+  for (const std::string& one : m.radio) out << "  " << one << '\n';
   list(out, "cuts", m.cuts, "  ", "- ");
+  list(out, "links", m.links, "  ", "- ");
 }
 
 void step(std::ostream& out, const Step& s) {
   out << "    - step: " << s.name << "\n      when: " << s.when << '\n';
   if (s.after > 0) out << "      after: " << s.after << '\n';
+  if (s.repeats) out << "      repeats: true\n";
   if (s.tasks.empty()) {
     out << "      do: [{" << s.action << "}]\n";
     return;
@@ -167,6 +171,8 @@ std::vector<Mission> smaller(const Mission& whole) {
   without_each(whole, &Mission::steps, result);
   without_each(whole, &Mission::faults, result);
   without_each(whole, &Mission::cuts, result);
+  without_each(whole, &Mission::links, result);
+  without_each(whole, &Mission::radio, result);
   if (whole.global.size() > 1) without_each(whole, &Mission::global, result);
   without_each(whole, &Mission::volumes, result);
   without_each(whole, &Mission::objects, result);

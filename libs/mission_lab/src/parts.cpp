@@ -12,6 +12,30 @@ std::string whole(double number) { return std::to_string(std::lround(number)); }
 
 std::string point(double x, double y) { return "[" + whole(x) + ", " + whole(y) + "]"; }
 
+std::string whole_between(Random& random, double least, double most) {
+  return whole(random.uniform(least, most));
+}
+
+std::string draw_length(Random& random) {
+  const double least = random.uniform(5, 90);
+  return random.chance(0.8) ? whole(least) : whole(least) + ".." + whole(least + 60);
+}
+
+std::string draw_contact_loss(Random& random) {
+  static const std::vector<std::string> kPolicies{"hold", "return", "continue"};
+  const std::string& policy = kPolicies[random.below(kPolicies.size())];
+  return ", contact_loss: {policy: " + policy + ", after: " + whole_between(random, 20, 90) + "}";
+}
+
+std::string draw_box(Random& random, double x, double y) {
+  const double a = random.uniform(20, 90), b = random.uniform(20, 90);
+  std::string volume = "polygon: [" + point(x - a, y - b) + ", " + point(x + a, y - b) + ", " +
+                       point(x + a, y + b) + ", " + point(x - a, y + b) + "]";
+  if (random.chance(0.3)) volume += ", floor: " + whole_between(random, 20, 80);
+  if (random.chance(0.5)) volume += ", ceiling: " + whole_between(random, 90, 180);
+  return volume;
+}
+
 std::string add_place(Random& random, Mission& mission) {
   const std::string name = "P" + std::to_string(mission.places.size() + 1);
   mission.places.push_back(name + ": [" + whole(random.uniform(-50, 450)) + ", " +

@@ -20,6 +20,14 @@ std::string point(double x, double y);
 std::string tenths(double number);
 /// A number rounded to two decimals, as text.
 std::string hundredths(double number);
+/// A number in [least, most), rounded to an integer, as text.
+std::string whole_between(Random& random, double least, double most);
+/// How long a task is to take [s]: a figure, or a range of a minute.
+std::string draw_length(Random& random);
+/// A UAV's contact-loss policy, to follow its other properties: ", contact_loss: {…}".
+std::string draw_contact_loss(Random& random);
+/// A volume of air around a point, from the ground or higher up, to the sky or lower down.
+std::string draw_box(Random& random, double x, double y);
 /// Adds a random place on the ground to the mission; returns its name ("P1", "P2", …).
 std::string add_place(Random& random, Mission& mission);
 /// Index of the team member that a step is for.

@@ -172,7 +172,8 @@ std::size_t parts(const Mission& mission) {
   std::size_t count = mission.team.size() + mission.steps.size() + mission.faults.size() +
                       mission.cuts.size() + mission.volumes.size() + mission.objects.size() +
                       mission.followed.size() + mission.zones.size() + mission.places.size() +
-                      mission.global.size() + (mission.hills.empty() ? 0U : 1U);
+                      mission.links.size() + mission.radio.size() + mission.global.size() +
+                      (mission.hills.empty() ? 0U : 1U);
   for (const Step& step : mission.steps) {
     count += step.tasks.size() + (step.placement.empty() ? 0U : 1U);
     for (const Task& task : step.tasks) count += task.times.empty() ? 0U : 1U;

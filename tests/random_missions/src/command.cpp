@@ -36,7 +36,8 @@ struct Options {
   bool clean = false, deaths = false, team = false, crossing = false, merged = false,
        unmerged = false, sweeps = false, meetings = false, orders = false, gatherings = false,
        robots = false, relays = false, partners = false, fires = false, hands = false,
-       mixed = false, sweepers = false, json = false, minimise = false, verbose = false;
+       mixed = false, anything = false, sweepers = false, json = false, minimise = false,
+       verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -69,6 +70,7 @@ Mission drawn_as_kind(std::uint64_t seed, const Options& options) {
   if (options.relays) return generate_relays(seed, kinds_of(options));
   if (options.fires) return generate_fires(seed, kinds_of(options));
   if (options.hands) return generate_orders(seed, kinds_of(options));
+  if (options.anything) return generate_anything(seed, kinds_of(options));
   if (options.mixed) return generate_mixed(seed, kinds_of(options));
   if (options.robots) return generate_robots(seed, kinds_of(options));
   if (options.sweepers) return generate_sweeps(seed, kinds_of(options));
@@ -179,13 +181,7 @@ int run_files(const Options& options) {
   return kExitBadInput;
 }
 
-void declare(CLI::App& app, Options& options) {
-  app.add_option("--seeds", options.seeds, "A..B: one mission each");
-  app.add_option("--law", options.judge.only, "only this law (crash is one); may be repeated")
-      ->allow_extra_args(false);
-  app.add_flag("--clean", options.clean, "missions in which nothing goes wrong");
-  app.add_flag("--deaths", options.deaths,
-               "daemons die in them, up to three times, and come back with what they knew");
+void declare_kinds(CLI::App& app, Options& options) {
   auto* team = app.add_flag("--team", options.team, "teams at degree 5 with a global mission");
   auto* crossing =
       app.add_flag("--crossing", options.crossing, "teams at degree 4 whose ways cross");
@@ -219,9 +215,24 @@ void declare(CLI::App& app, Options& options) {
       app.add_flag("--mixed", options.mixed,
                    "all of it in one mission: a team, others at degree 4, vehicles on the "
                    "ground, relays, fires, operators");
-  for (auto* one : {team, crossing, sweepers, meetings, robots, relays, apart, fires, hands})
-    for (auto* other : {crossing, sweepers, meetings, robots, relays, apart, fires, hands, mixed})
+  auto* anything = app.add_flag("--anything", options.anything,
+                                "as an outsider writes them: all kinds of vehicles at degrees 2 to "
+                                "5, and whatever the format of scenarios offers");
+  const std::vector<CLI::Option*> all{team,  crossing, sweepers, meetings, robots,  relays,
+                                      apart, fires,    hands,    mixed,    anything};
+  for (auto* one : all)
+    for (auto* other : all)
       if (one != other) one->excludes(other);
+}
+
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--seeds", options.seeds, "A..B: one mission each");
+  app.add_option("--law", options.judge.only, "only this law (crash is one); may be repeated")
+      ->allow_extra_args(false);
+  app.add_flag("--clean", options.clean, "missions in which nothing goes wrong");
+  app.add_flag("--deaths", options.deaths,
+               "daemons die in them, up to three times, and come back with what they knew");
+  declare_kinds(app, options);
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")
       ->check(CLI::IsMember({"faults", "air", "deadlines", "changes", "degrees", "radio", "energy",

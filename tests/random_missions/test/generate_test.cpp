@@ -54,7 +54,8 @@ TEST_P(DeathsOfDaemons, AreAddedToTheSameMission) {
 INSTANTIATE_TEST_SUITE_P(Missions, DeathsOfDaemons,
                          ::testing::Values(generate, generate_crossing, generate_sweeps,
                                            generate_meetings, generate_robots, generate_relays,
-                                           generate_fires, generate_orders, generate_mixed));
+                                           generate_fires, generate_orders, generate_mixed,
+                                           generate_anything));
 
 TEST(Generate, CrossingMissionsAreScenariosInWhichSomeUavsShareAPad) {
   int shared = 0;
@@ -141,6 +142,101 @@ TEST(Generate, InCleanMixedMissionsNothingGoesWrong) {
          {"faults:", "cuts:", "close_air", "take_in_hand", "end_before", "hills"})
       EXPECT_THAT(text, Not(HasSubstr(part))) << "seed " << seed;
   }
+}
+
+/// What the format of scenarios offers to whoever writes one.
+constexpr const char* kAnything[]{"models/marvin.",
+                                  "models/heliv.",
+                                  "comets/models/karma.",
+                                  "iros2005/models/karma.",
+                                  "models/plane.",
+                                  "models/ressac.",
+                                  "models/heron.",
+                                  "models/crow.",
+                                  "models/mana.",
+                                  "models/effibot.",
+                                  "degree: 2}",
+                                  "degree: 3}",
+                                  "degree: 4}",
+                                  "degree: 5}",
+                                  "energy: 0.1",
+                                  "hills: ",
+                                  "policy: hold",
+                                  "policy: return",
+                                  "policy: continue",
+                                  "separation: {merge: true}",
+                                  "consistency: dip-l",
+                                  "consistency: dip-g",
+                                  "consistency: cip",
+                                  "partner_lease: ",
+                                  "members: [",
+                                  "equity: ",
+                                  "ahead: 3",
+                                  "not_by: [",
+                                  "by: ",
+                                  "after: [",
+                                  "repeatable: true",
+                                  "capacity: 9600",
+                                  "capacity: 19200",
+                                  "silent: true",
+                                  "heartbeat: 2",
+                                  "links:",
+                                  "cuts:",
+                                  "relays: [",
+                                  "volumes:",
+                                  "until: ",
+                                  "floor: ",
+                                  "ceiling: ",
+                                  "close_air: ",
+                                  "open_air: ",
+                                  "take_in_hand: ",
+                                  "give_back: ",
+                                  "type: goto, mode: VUT",
+                                  "resume_plan: ",
+                                  "held: ",
+                                  "repeats: true",
+                                  "cancel: ",
+                                  "interrupt: true",
+                                  "plan: {",
+                                  "type: takeoff",
+                                  "type: land",
+                                  "type: perceive",
+                                  "[synchro, ",
+                                  "[monitoring-with-relay, ",
+                                  "[general-combined-goto-and-synchro-and-takeshot, ",
+                                  "[perform-detection, ",
+                                  "[perform-mapping, ",
+                                  "[perform-tour, ",
+                                  "[perform-monitoring, ",
+                                  "[perceive, alarm:1, ",
+                                  "[takeshot-while-waiting, ",
+                                  "[general-land]",
+                                  "achieve: any",
+                                  "placement: tour",
+                                  "engine: ",
+                                  "sensor: ",
+                                  "slow: ",
+                                  "abort: ",
+                                  ", energy: {",
+                                  "kill: sim",
+                                  "kill: ground",
+                                  "forgets: true",
+                                  "start_after: ",
+                                  "end_before: "};
+
+TEST(Generate, AnythingIsAScenarioAndHasAllThatTheFormatOffers) {
+  Kinds kinds;
+  kinds.deaths = true;
+  std::string all;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const Kinds& asked = seed % 2 == 0 ? kinds : Kinds{};
+    const std::string text = to_yaml(generate_anything(seed, asked), "..");
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(to_yaml(generate_anything(seed, asked), ".."), text);
+    EXPECT_THAT(problems_of(to_yaml(generate_anything(seed, kClean), "..")), IsEmpty());
+    all += text;
+  }
+  for (const char* part : kAnything) EXPECT_THAT(all.find(part), Not(std::string::npos)) << part;
 }
 
 TEST(Generate, MeetingsAreScenariosInWhichSomeAreToBeDoneByADate) {

@@ -34,7 +34,8 @@ inline std::vector<Generator> generators() {
           {"Partners", generate_partners, 2, 3},
           {"Fires", generate_fires, 1, 4},
           {"Orders", generate_orders, 1, 4},
-          {"Mixed", generate_mixed, 3, 7}};
+          {"Mixed", generate_mixed, 3, 7},
+          {"Anything", generate_anything, 2, 6}};
 }
 
 inline Names keys(const YAML::Node& map) {

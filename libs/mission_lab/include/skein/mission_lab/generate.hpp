@@ -75,5 +75,10 @@ Mission generate_orders(std::uint64_t seed, const Kinds& kinds);
 /// that spread, past relays, with ways that are merged or not, while operators take vehicles in
 /// hand. All kinds but questions count.
 Mission generate_mixed(std::uint64_t seed, const Kinds& kinds);
+/// As somebody writes one who knows docs/scenario-format.md alone: two to six vehicles of all
+/// kinds, a plane among them, at degrees 2 to 5 in one mission, from up to three homes, with little
+/// energy, narrow or silent radio, air that closes and opens, operators and whatever else the
+/// format offers. All kinds but questions count.
+Mission generate_anything(std::uint64_t seed, const Kinds& kinds);
 
 }  // namespace skein::mission_lab

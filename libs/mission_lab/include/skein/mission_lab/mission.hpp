@@ -25,7 +25,8 @@ struct Step {
   std::string placement;  ///< "first, interrupt: true"; empty: the default
   bool evaluate = false;  ///< the mission is only evaluated, not executed
   std::vector<Task> tasks;
-  std::string action;  ///< if there are no tasks: "cancel: {…}"
+  std::string action;    ///< if there are no tasks: "cancel: {…}"
+  bool repeats = false;  ///< it is armed again after it was done
 };
 
 struct Member {
@@ -48,6 +49,8 @@ struct Mission {
   std::vector<Member> team;
   std::vector<std::string> cuts;    ///< "{between: [...], from: 300, until: 330}"
   std::vector<std::string> relays;  ///< who passes on what is for others
+  std::vector<std::string> links;   ///< unlike the others: "{between: [...], capacity: 19200}"
+  std::vector<std::string> radio;   ///< further properties: "capacity: 19200", "silent: true"
   double latency = 0.02;            ///< of every link [s]
   double loss = 0;                  ///< of samples of streams, [0, 1)
   double range = 3000;              ///< of the radio [m]
@@ -56,6 +59,7 @@ struct Mission {
   /// Tasks of one global mission, at degree 5: "{id: 11, task: [perceive, P1, 20]}".
   std::vector<std::string> global;
   std::vector<std::string> bidders;   ///< who shares it out; empty: everybody
+  std::string sharing;                ///< how they do it: "equity: 0.2, ahead: 2"
   std::string separation;             ///< "{merge: true}"; empty: nobody asks for it
   std::string consistency = "dip-m";  ///< by which UAVs know when others come to meet them
   double partner_lease = 0;           ///< [s]; 0: as scenarios have it unasked
