@@ -13,6 +13,7 @@
 #include "skein/auction/bidder.hpp"
 #include "skein/auction/team_member.hpp"
 #include "skein/foundation/random.hpp"
+#include "skein/foundation/repeats.hpp"
 
 namespace skein::auction {
 
@@ -45,8 +46,7 @@ class TeamMember::Core {
   /// The ledger as a member was told it, which has not said that it has it.
   struct Telling {
     std::uint64_t revision = 0;
-    MissionTime again;  ///< it is told again from then on
-    Duration pause;
+    Repeats again;
   };
 
   // token.cpp

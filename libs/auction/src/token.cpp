@@ -190,14 +190,13 @@ void TeamMember::Core::beat() {
 bool TeamMember::Core::is_to_be_told(MemberNumber member) {
   const auto known = known_.find(member);
   if (known != known_.end() && known->second.last == ledger().revision) return false;
-  constexpr double kRarely = 8;  // beats
+  constexpr int kDoublings = 3;
   Telling& telling = told_[member];
   const Duration beat = setup_.limits.beat;
-  if (telling.pause > beat && now_ < telling.again) return false;
-  if (now_ >= telling.again) {
-    telling.pause = std::clamp(telling.pause + telling.pause, beat,
-                               Duration::seconds(kRarely * beat.to_seconds()));
-    telling.again = now_ + telling.pause;
+  if (telling.again.pause > beat && !telling.again.is_due(now_)) return false;
+  if (telling.again.is_due(now_)) {
+    telling.again.repeated(now_, doubled(beat, kDoublings, Duration::max()));
+    telling.again.pause = std::max(telling.again.pause, beat);
   }
   telling.revision = ledger().revision;
   return true;

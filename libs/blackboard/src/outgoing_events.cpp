@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/repeats.hpp"
 
 namespace skein::blackboard {
 
@@ -98,8 +99,8 @@ std::optional<Duration> OutgoingEvents::again_at(std::size_t index, Duration rou
   if (index >= kAgainAtOnce) return std::nullopt;
   const Held& event = held_[index];
   const Duration first = retransmission_ + round_trip;
-  const int times = event.writings > 3 ? kMostBackOff : 1 << std::max(0, event.writings - 1);
-  return *event.written + Duration::nanoseconds(first.count() * times);
+  const Duration most = Duration::nanoseconds(first.count() * kMostBackOff);
+  return *event.written + doubled(first, event.writings - 1, most);
 }
 
 bool OutgoingEvents::is_due(std::size_t index, Now now, Duration round_trip) const {

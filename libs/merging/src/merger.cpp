@@ -36,7 +36,7 @@ Effects Merger::handle(const Input& input, MissionTime now) {
   advance();
   if (changed_) tell_all();
   tell_again();
-  if (request_ != 0 && now_ >= asked_ + ask_pause_) ask_again();
+  if (request_ != 0 && asked_.is_due(now_)) ask_again();
   if (request_ == 0 && standby_.is_due(now_)) tell_witness(false);
   return std::move(out_);
 }
@@ -44,8 +44,8 @@ Effects Merger::handle(const Input& input, MissionTime now) {
 std::optional<MissionTime> Merger::next_wakeup() const {
   std::optional<MissionTime> next;
   for (const auto& [name, peer] : peers_)
-    if (peer.reachable && !peer.told.arrived) next = earliest(next, peer.told.at + peer.told.pause);
-  if (request_ != 0) return earliest(next, std::min(deadline_, asked_ + ask_pause_));
+    if (peer.reachable && !peer.told.arrived) next = earliest(next, peer.told.again.due());
+  if (request_ != 0) return earliest(next, std::min(deadline_, asked_.due()));
   if (third_ && third_->reachable) next = earliest(next, standby_.due());
   if (!waits()) return next;
   next = earliest(next, now_ + limits_.beat);  // to look for a circle, or who may be asked again
@@ -91,7 +91,7 @@ void Merger::on(const Heard& heard) {
   if (message.number <= peer.number) return;
   if (!by_witness) peer.told.arrived = message.known == peer.told.version;
   const bool is_new = !peer.heard;
-  if (!take_claim(peer, message)) return tell(whose, false);
+  if (!peer.take(message)) return tell(whose, false);  // by which it hears that
   if (peer.claim.wanted.empty())
     peer.wants_since.reset();
   else if (!peer.wants_since)
@@ -105,14 +105,13 @@ void Merger::on(const Heard& heard) {
   if (is_new || message.asks || is_said_again) tell(whose, false);
 }
 
-/// False: the claim is not said and not known here, which the peer hears by the next message to it.
-bool Merger::take_claim(Peer& peer, const Message& message) {
-  if (message.brief && message.version != peer.version) return false;
-  peer.number = message.number;
-  peer.heard = true;
+bool Merger::Peer::take(const Message& message) {
+  if (message.brief && message.version != version) return false;
+  number = message.number;
+  heard = true;
   if (message.brief) return true;
-  peer.claim = message.claim;
-  peer.version = message.version;
+  claim = message.claim;
+  version = message.version;
   return true;
 }
 
@@ -308,7 +307,7 @@ bool Merger::ask() {
   }
   request_ = requests_.next(now_);
   deadline_ = now_ + limits_.patience;
-  ask_pause_ = limits_.repeat;
+  asked_.pause = limits_.repeat;
   for (auto& [name, peer] : peers_) peer.agreed = false;
   if (third_) third_->agreed = false;
   changed_ = true;
@@ -349,8 +348,8 @@ void Merger::tell(const std::string& name, bool asks) {
   if (!peer.reachable) return;
   Message message{numbers_.next(now_), claim(), peer.answered, peer.granted, asks};
   if (peer.told.version == 0 || peer.told.claim != message.claim)
-    peer.told = {message.claim, message.number, false, now_, limits_.beat};
-  peer.told.at = now_;
+    peer.told = {message.claim, message.number, false, {now_, limits_.beat}};
+  peer.told.again.last = now_;
   message.version = peer.told.version;
   message.known = peer.version;
   message.brief = peer.told.arrived;
@@ -388,7 +387,7 @@ void Merger::tell_witness(bool asks) {
 void Merger::tell_all() {
   if (changed_ || request_ != 0) tell_witness(request_ != 0);
   changed_ = false;
-  asked_ = now_;
+  asked_.last = now_;
   for (const auto& [name, peer] : peers_) tell(name, false);
 }
 
@@ -401,17 +400,16 @@ void Merger::tell_again() {
     if (!peer.reachable) continue;
     if (told.claim != current) {
       told.arrived = false;
-      told.pause = limits_.beat;
+      told.again.pause = limits_.beat;
     }
-    if (told.arrived || now_ < told.at + told.pause) continue;
+    if (told.arrived || !told.again.is_due(now_)) continue;
     tell(name, false);
-    told.pause = std::min(told.pause + told.pause, limits_.pause);
+    told.again.repeated(now_, limits_.pause);
   }
 }
 
 void Merger::ask_again() {
-  asked_ = now_;
-  ask_pause_ = ask_pause_ + ask_pause_;
+  asked_.repeated(now_, limits_.patience);
   for (const auto& [name, peer] : peers_) {
     if (needs(peer) && !peer.agreed) tell(name, true);
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "skein/foundation/repeats.hpp"
+
 namespace skein::decision_node {
 
 namespace {
@@ -16,8 +18,7 @@ constexpr Duration kWorthAWord = Duration::milliseconds(10'000);
 }  // namespace
 
 bool Retries::failed(const std::string& why, MissionTime now) {
-  const int doublings = std::clamp(++in_a_row_ - kFirstTries, 0, 5);
-  at_ = now + std::min(kRarest, Duration::nanoseconds(kOftenest.count() << doublings));
+  at_ = now + doubled(kOftenest, ++in_a_row_ - kFirstTries, kRarest);
   if (why != why_) {
     why_ = why;
     since_ = now;

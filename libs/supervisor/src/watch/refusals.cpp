@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
 #include <iterator>
+
+#include "skein/foundation/repeats.hpp"
 
 namespace skein::supervisor {
 
@@ -32,9 +33,8 @@ void Refusals::did(const std::string& type) {
 }
 
 Duration pause_after(int times) {
-  constexpr std::int64_t kFirst = 5'000, kMost = 60'000;  // [ms]
-  if (times < 2) return {};
-  return Duration::milliseconds(std::min(kMost, kFirst << std::min(times - 2, 8)));
+  constexpr Duration kFirst = Duration::milliseconds(5'000), kMost = Duration::milliseconds(60'000);
+  return times < 2 ? Duration() : doubled(kFirst, times - 2, kMost);
 }
 
 }  // namespace skein::supervisor

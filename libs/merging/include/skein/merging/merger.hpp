@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "skein/foundation/repeats.hpp"
 #include "skein/foundation/time.hpp"
 #include "skein/merging/message.hpp"
 #include "skein/merging/rising.hpp"
@@ -187,8 +188,7 @@ class Merger {
     Claim claim;
     std::uint64_t version = 0;
     bool arrived = false;  ///< the peer has said so
-    MissionTime at;        ///< when it was told last
-    Duration pause;        ///< until it is told again
+    Repeats again;         ///< until it has
   };
   struct Peer {
     bool earlier = false;  ///< in the roster: it decides between the two
@@ -205,6 +205,9 @@ class Merger {
     /// forgotten.
     bool known = false;
     std::optional<MissionTime> wants_since;
+
+    /// What it said; false: its claim is not said and not known here.
+    bool take(const Message& message);
   };
   struct Third {
     std::string name;
@@ -223,7 +226,6 @@ class Merger {
   void on(const FirstLife&);
   void on(const Tick&) {}
   void hear_witness(const Message& message);
-  bool take_claim(Peer& peer, const Message& message);
   void answer(Peer& peer);
   bool needs(const Peer& peer) const { return peer.earlier || third_; }
   bool may_agree(const Peer& peer) const;
@@ -274,8 +276,8 @@ class Merger {
   MissionTime moved_aside_;  ///< no further MoveAside before
 
   bool changed_ = false;  ///< the claim differs from what peers were told last
-  MissionTime now_, asked_;
-  Duration ask_pause_;  ///< until the open request is repeated
+  MissionTime now_;
+  Repeats asked_;  ///< the open request
   Effects out_;
 };
 
