@@ -48,6 +48,14 @@ std::optional<wire::Violation> header_violation(const wire::SampleHeader& header
   return std::nullopt;
 }
 
+/// The peer that is the origin, which may be another than the channel's; null: the origin is none.
+Peer* speaker(Peers& peers, Peer* of_channel, const wire::SampleHeader& header) {
+  if (of_channel != nullptr && of_channel->channels().number.value() == header.origin)
+    return of_channel;
+  const auto found = peers.find(NodeNumber(header.origin));
+  return found == peers.end() ? nullptr : &found->second;
+}
+
 }  // namespace
 
 Blackboard::Impl::Impl(Config config, Transport& transport)
@@ -57,7 +65,7 @@ Blackboard::Impl::Impl(Config config, Transport& transport)
       losses_(config_.seed, "blackboard/losses/" + to_text(config_.self)),
       no_session_(config_),
       sequence_(std::uint64_t{config_.life} << kBitsOfALife),
-      published_(sequence_),
+      pulse_(sequence_),
       publishers_(config_),
       incarnation_(config_.incarnation) {
   SKEIN_EXPECTS(config_.self != kEverybody);
@@ -83,7 +91,7 @@ Result<void, Failure> Blackboard::Impl::add_channel(std::size_t index) {
   if (channel.kind == ChannelKind::kWorld) {
     if (world_) return failure("two world channels");
     world_ = index;
-    if (channel.carries(wire::Slot::kHeartbeat)) next_published_ = Duration{};
+    if (channel.carries(wire::Slot::kHeartbeat)) pulse_.begin();
     return {};
   }
   if (channel.to == config_.self) return {};  // found from the other direction
@@ -260,7 +268,11 @@ std::vector<Incoming> Blackboard::Impl::step(Now now) {
     peer.update(now, out_);
     serve(peer, now);
   }
-  publish_heartbeat(now);
+  if (const auto number = pulse_.beat(now.steady)) {
+    wire::Heartbeat heartbeat;
+    stamp(heartbeat.header, kEverybody, *number, now);
+    write(*world_, heartbeat);
+  }
   route(now);
   connections_.write_again();
   return std::exchange(out_, {});
@@ -297,7 +309,7 @@ std::optional<Duration> Blackboard::Impl::next_wakeup() const {
   };
   sooner(agenda_.next_due());
   sooner(connections_.next_due());
-  sooner(next_published_);
+  sooner(pulse_.next());
   if (forwarding_) sooner(forwarding_->next_wakeup());
   return next;
 }
@@ -345,7 +357,7 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample&& sample, Now now
     return refuse_event(channel, slot, header, now);
   }
   if (is_back(slot, header, config_.self)) return;
-  Peer* origin = speaker(channel, header);
+  Peer* origin = speaker(peers_, senders_[channel], header);
   if (origin != nullptr && origin->refuses(header.incarnation, now.steady))
     return refuse(wire::Slot::kHeartbeat, header, kOfSecond);
   if (header.destination != 0 && header.destination != config_.self.value()) {
@@ -397,7 +409,11 @@ void Blackboard::Impl::admit_heartbeat(std::size_t channel, Peer& peer,
   const bool was_refused = peer.lives().was_refused(heartbeat.header.incarnation);
   peer.on_heartbeat(heartbeat, now, out_);
   const bool is_first_again = peer.incarnation() < before;
-  if (is_first_again) return_to_first(peer, heartbeat.header);
+  if (is_first_again) {  // of two processes with its number
+    refuse(wire::Slot::kHeartbeat, heartbeat.header, kOfSecond);
+    freshness_.return_to(heartbeat.header.origin, peer.incarnation());
+    if (forwarding_) forwarding_->forget(peer.channels().number);
+  }
   if ((is_first_again || was_refused) && peer.incoming_condition().up)
     connections_.set_up_anew(peer.channels().incoming, now.steady, out_);
   hear(peer);

@@ -15,6 +15,7 @@
 #include "freshness.hpp"
 #include "peer.hpp"
 #include "publishers.hpp"
+#include "pulse.hpp"
 #include "routing/forwarding.hpp"
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/foundation/random.hpp"
@@ -82,15 +83,9 @@ class Blackboard::Impl {
   void compare_lives(Peer& peer, const wire::Heartbeat& heartbeat, Now now);
   /// Takes this incarnation towards the peer and sends everything again.
   void become(Peer& peer, std::uint64_t incarnation, Now now);
-  /// The peer that says it is the origin; null: the origin is none.
-  Peer* speaker(std::size_t channel, const wire::SampleHeader& header);
-  /// Of two processes with its number the peer is the first again.
-  void return_to_first(Peer& peer, const wire::SampleHeader& header);
   /// Refuses a sample that was replayed, unless it may have overtaken others on its way.
   void note_replay(std::size_t channel, wire::Slot slot, const wire::SampleHeader& header);
   std::uint64_t incarnation_for(NodeNumber to) const;
-  /// A heartbeat on the world channel, if it carries them and one is due.
-  void publish_heartbeat(Now now);
 
   // Relaying (blackboard_relaying.cpp).
 
@@ -123,9 +118,8 @@ class Blackboard::Impl {
   Agenda agenda_;               ///< of the peers
   std::vector<Peer*> heard_;    ///< heard since the last step began; may contain duplicates
   std::optional<std::size_t> world_;
-  std::uint64_t sequence_;                  ///< of states, streams and world events
-  std::optional<Duration> next_published_;  ///< heartbeat; none: the world channel carries none
-  std::uint64_t published_;                 ///< sequence number of the last one
+  std::uint64_t sequence_;  ///< of states, streams and world events
+  Pulse pulse_;             ///< on the world channel
   Publishers publishers_;
   Freshness freshness_;
   Delays delayed_;

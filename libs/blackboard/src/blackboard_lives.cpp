@@ -31,19 +31,6 @@ void Blackboard::Impl::compare_lives(Peer& peer, const wire::Heartbeat& heartbea
   if (is_next) become(peer, heard + 1, now);
 }
 
-Peer* Blackboard::Impl::speaker(std::size_t channel, const wire::SampleHeader& header) {
-  Peer* sender = senders_[channel];
-  if (sender != nullptr && sender->channels().number.value() == header.origin) return sender;
-  const auto found = peers_.find(NodeNumber(header.origin));
-  return found == peers_.end() ? nullptr : &found->second;
-}
-
-void Blackboard::Impl::return_to_first(Peer& peer, const wire::SampleHeader& header) {
-  refuse(wire::Slot::kHeartbeat, header, kOfSecond);
-  freshness_.return_to(header.origin, peer.incarnation());
-  if (forwarding_) forwarding_->forget(peer.channels().number);
-}
-
 // What a peer publishes says nothing about the radio.
 void Blackboard::Impl::admit_published(const Peer* peer, wire::Sample&& sample, Now now) {
   const wire::SampleHeader header = wire::header_of(sample);
@@ -59,14 +46,6 @@ void Blackboard::Impl::admit_published(const Peer* peer, wire::Sample&& sample, 
   const auto refused = heartbeat != nullptr ? publishers_.hear(*heartbeat, now.steady, out_)
                                             : publishers_.take(std::move(sample), now.steady, out_);
   if (refused) refuse(wire::Slot::kHeartbeat, header, *refused);
-}
-
-void Blackboard::Impl::publish_heartbeat(Now now) {
-  if (!next_published_ || now.steady < *next_published_) return;
-  next_published_ = now.steady + kPublishedHeartbeat;
-  wire::Heartbeat heartbeat;
-  stamp(heartbeat.header, kEverybody, ++published_, now);
-  write(*world_, heartbeat);
 }
 
 // With relays a sample may be overtaken by others that go another way.
