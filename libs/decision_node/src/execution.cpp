@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "role_ids.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/mission/lost_uav.hpp"
 
@@ -92,7 +93,7 @@ bool Execution::has_lease(const std::string& uav) const {
 // may come. Of synchronisations between roles no plan tells.
 std::optional<MissionTime> Execution::stays_away_until(const executive::Wait& wait,
                                                        const std::string& uav) const {
-  if (wait.id >= functional::kFirstRoleId) return std::nullopt;
+  if (is_of_role(wait.id)) return std::nullopt;
   const auto said = degrees_.find(uav);
   if (said != degrees_.end() && !mission::deliberates(said->second)) return std::nullopt;
   if (core_.partners().silent_since(uav)) return std::nullopt;

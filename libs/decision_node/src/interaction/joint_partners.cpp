@@ -77,17 +77,6 @@ void JointTask::give_up_on_partners() {
   }
 }
 
-std::string JointTask::why_too_late() const {
-  std::string why = my_.why;
-  for (const std::string& uav : my_.joint.members) {
-    const auto since = uav == self() ? std::nullopt : interaction_.partners().silent_since(uav);
-    if (!since) continue;
-    why += (why.empty() ? "'" : "; '") + uav + "' is not heard since " +
-           std::to_string(std::lround(since->to_seconds())) + " s";
-  }
-  return why;
-}
-
 // While it runs.
 void JointTask::lose_the_silent() {
   if (my_.phase != JointPhase::kRunning) return;

@@ -36,6 +36,18 @@ std::string lacking(const interaction::Role& role, const std::vector<std::string
   return {};
 }
 
+/// Why nothing was agreed, and who is silent.
+std::string why_too_late(const Membership& my, const std::string& self, const Partners& partners) {
+  std::string why = my.why;
+  for (const std::string& uav : my.joint.members) {
+    const auto since = uav == self ? std::nullopt : partners.silent_since(uav);
+    if (!since) continue;
+    why += (why.empty() ? "'" : "; '") + uav + "' is not heard since " +
+           std::to_string(std::lround(since->to_seconds())) + " s";
+  }
+  return why;
+}
+
 }  // namespace
 
 JointTask::JointTask(JointHost& host, Interaction& interaction, Joint joint,
@@ -247,7 +259,8 @@ void JointTask::not_agreed(const std::string& why) {
   if (retries_.failed(why, now()))
     host_.bus().emit(Notice{my_.joint.subject + " is not agreed on, and is tried until " +
                             std::to_string(std::lround(try_until_.to_seconds())) + " s: " + why});
-  if (now() + Retries::kOftenest > try_until_) not_loaded(why_too_late());
+  if (now() + Retries::kOftenest > try_until_)
+    not_loaded(why_too_late(my_, self(), interaction_.partners()));
 }
 
 void JointTask::not_loaded(const std::string& why) {
@@ -326,7 +339,8 @@ void JointTask::time_passes() {
     if (my_.phase == JointPhase::kLoading) roles_known_ ? negotiate_start() : negotiate_roles();
   }
   give_up_on_partners();
-  if (my_.phase == JointPhase::kLoading && try_until_ <= now()) not_loaded(why_too_late());
+  if (my_.phase == JointPhase::kLoading && try_until_ <= now())
+    not_loaded(why_too_late(my_, self(), interaction_.partners()));
   begin_if_due();
   lose_the_silent();
   play_.time_passes();

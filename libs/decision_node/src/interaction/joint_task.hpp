@@ -109,8 +109,6 @@ class JointTask {
   void answer();
   void do_without_the_absent();
   void give_up_on_partners();
-  /// Why nothing was agreed, and who is silent.
-  std::string why_too_late() const;
   void lose_the_silent();
   std::optional<MissionTime> next_loss() const;
   void negotiate_roles();

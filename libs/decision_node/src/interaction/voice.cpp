@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "role_ids.hpp"
 #include "skein/decision_node/stand_in.hpp"
 
 namespace skein::decision_node {
@@ -97,10 +98,9 @@ bool Voice::passes_on(const PartnerSeen& seen) {
 
 // At degree 1 they are the ground's own.
 void Voice::task_changed(const executive::TaskEvent& event) {
-  const bool is_of_role = event.id >= StandIn::kFirstPlayedId && event.id < functional::kFirstOwnId;
   if (executive::is_terminal(event.state))
     begun_.erase(event.id);
-  else if (is_of_role && (core_.degree() == 2 || core_.degree() == 3))
+  else if (is_of_role(event.id) && (core_.degree() == 2 || core_.degree() == 3))
     begun_.insert(event.id);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core.hpp"
+#include "role_ids.hpp"
 #include "skein/elementary/parameter_reader.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/functional/task_types.hpp"
@@ -45,7 +46,7 @@ bool may_be_given_up(Core& core, const functional::Request& request) {
 
 /// How long it waits before it is given up; nothing: for good.
 std::optional<Duration> longest_wait(Core& core, const functional::Request& request) {
-  if (is_of_role(request)) return kRoleWaits;
+  if (is_of_role(request.id)) return kRoleWaits;
   return may_be_given_up(core, request) ? std::optional(kPlanWaits) : std::nullopt;
 }
 
@@ -53,7 +54,7 @@ std::optional<Duration> longest_wait(Core& core, const functional::Request& requ
 /// where its way leads it goes all the same, before it waits for ever.
 bool at_any_height(Core& core, const functional::Request& request, bool asked_long) {
   if (request.type != "goto") return false;
-  if (is_of_role(request) && !asked_long) return false;
+  if (is_of_role(request.id) && !asked_long) return false;
   const auto starts_with_it = [&](const executive::Literal& literal) {
     const auto* state = std::get_if<executive::TaskInState>(&literal.condition);
     return state != nullptr && state->task == request.id &&

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "role_ids.hpp"
+
 namespace skein::decision_node {
 
 namespace {
@@ -12,10 +14,6 @@ constexpr Duration kAside = Duration::milliseconds(3'000);  ///< a place aside i
 constexpr Duration kRises = Duration::milliseconds(10'000);
 
 }  // namespace
-
-bool is_of_role(const functional::Request& request) {
-  return request.id >= functional::kFirstPlayedId && request.id < functional::kFirstOwnId;
-}
 
 Waiting waiting_since(MissionTime now, functional::Request request) {
   Waiting waiting;
@@ -29,7 +27,7 @@ bool Waiting::is_long(MissionTime now) const { return now >= since + kRises; }
 
 std::optional<MissionTime> Waiting::rises_from() const {
   const bool asks = !airways.empty() && !aside_since && !comes_back && !asked_long;
-  return asks && is_of_role(request) ? std::optional(since + kRises) : std::nullopt;
+  return asks && is_of_role(request.id) ? std::optional(since + kRises) : std::nullopt;
 }
 
 std::optional<MissionTime> Waiting::looks_around_from() const {

@@ -11,9 +11,6 @@
 
 namespace skein::decision_node {
 
-/// Whether a role of a joint task asked for the motion, also one that the ground station plays.
-bool is_of_role(const functional::Request& request);
-
 inline constexpr Duration kSaidAgain = Duration::milliseconds(10'000);
 /// A motion that waits for others to leave looks for a way around them so often.
 inline constexpr Duration kLooksAround = Duration::milliseconds(15'000);
