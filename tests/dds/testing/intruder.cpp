@@ -10,11 +10,11 @@
 // its name that are no samples.
 //
 // Exit: 0 the mission is over, 10 stopped, 3 failure.
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <future>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -119,7 +119,8 @@ class Intruder final : public Node {
 
 /// Cut short, and with an enumerator that there is not.
 void write_garbage(blackboard::DdsVendor vendor, std::uint32_t domain, const Roster& roster,
-                   const std::string& self, const std::string& to, const std::atomic<bool>& over) {
+                   const std::string& self, const std::string& to,
+                   const std::shared_future<void>& over) {
   const auto writer = blackboard::testing::make_foreign_writer(
       vendor, {domain, wire::Slot::kNegotiationMessage, wire::Slot::kNegotiationMessage,
                "radio/" + self + ">" + to});
@@ -132,10 +133,10 @@ void write_garbage(blackboard::DdsVendor vendor, std::uint32_t domain, const Ros
   const auto whole = blackboard::testing::bytes_of(message);
   message.entries[0].vow = static_cast<wire::NegotiationVow>(17);
   const auto wrong = blackboard::testing::bytes_of(message);
-  while (!over) {
+  constexpr auto kPause = std::chrono::milliseconds(100);
+  while (over.wait_for(kPause) == std::future_status::timeout) {
     writer->write({whole.begin(), whole.end() - static_cast<long>(whole.size() / 2)});
     writer->write(wrong);
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
 }
 
@@ -160,7 +161,8 @@ int main(int argc, char** argv) {
   config.network.dds = blackboard::dds_from_name(argv[5]).value();
   const auto foreign = blackboard::dds_from_name(argv[6]).value();
 
-  std::atomic<bool> over{false};
+  std::promise<void> end_of_mission;
+  const std::shared_future<void> over = end_of_mission.get_future().share();
   std::vector<std::thread> writers;
   for (const std::string& uav : others) {
     writers.emplace_back(
@@ -168,7 +170,7 @@ int main(int argc, char** argv) {
   }
   const auto end = run_daemon(roster, *roster.find(self),
                               std::make_unique<Intruder>(self, others, roster), config);
-  over = true;
+  end_of_mission.set_value();
   for (std::thread& one : writers) one.join();
   if (!end) std::fprintf(stderr, "%s: %s\n", self.c_str(), end.error().why.c_str());
   if (!end) return 3;
