@@ -2,8 +2,8 @@
 #include "awaited.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "checks.hpp"
 #include "skein/foundation/overloaded.hpp"
 
 namespace skein::laws {
@@ -72,11 +72,7 @@ bool is_number(const Record& record, const char* key, std::uint64_t number) {
 
 }  // namespace
 
-std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f s", seconds);
-  return text;
-}
+std::string seconds_text(double seconds) { return figure(seconds) + " s"; }
 
 template <class Matches>
 const Record* LogOfWaits::last(const Matches& matches) const {
