@@ -19,7 +19,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 # Of test code: little optimised, and without what g++ 12 wrongly suspects in texts that are put together.
-set(SKEIN_TEST_OPTIONS $<$<CONFIG:Release>:-O1>
+set(SKEIN_TEST_OPTIONS $<$<CONFIG:Release>:-Og>
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
     $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)
 
