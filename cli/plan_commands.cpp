@@ -77,7 +77,7 @@ void add_limits(CLI::App& plan, Arguments& arguments) {
   count("--depth", limits.depth, "Decompositions and steps along one path");
   count("--plans", limits.plans, "Plans found");
   plan.add_option("--memory", arguments.memory_mb,
-                  "Memory of the search [MB] (default: 3/4 of the machine's)")
+                  "Memory of the search [MB] (default: 3/4 of what is available)")
       ->check(megabytes_problem)
       ->group(kGroup);
 }

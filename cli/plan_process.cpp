@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <optional>
 
 #include "skein/plan_tool/plan.hpp"
 
@@ -40,14 +41,21 @@ double cpu_seconds() {
   return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
 }
 
+/// The kernel's figure behind `name` in the first 4 kB of a file of /proc [kB]; absent: none is
+/// there.
+std::optional<double> kilobytes_in(const char* path, const char* name) {
+  std::array<char, 4096> text{};
+  const int file = open(path, O_RDONLY | O_CLOEXEC);
+  const ssize_t length = file < 0 ? 0 : read(file, text.data(), text.size() - 1);
+  if (file >= 0) close(file);
+  const char* figure = length > 0 ? std::strstr(text.data(), name) : nullptr;
+  if (figure == nullptr) return std::nullopt;
+  return std::strtod(figure + std::strlen(name), nullptr);
+}
+
 // getrusage would count what the process was before exec too, as the copy of a large parent.
 double memory_mb() {
-  std::array<char, 4096> text{};
-  const int status = open("/proc/self/status", O_RDONLY | O_CLOEXEC);
-  const ssize_t length = status < 0 ? 0 : read(status, text.data(), text.size() - 1);
-  if (status >= 0) close(status);
-  const char* peak = length > 0 ? std::strstr(text.data(), "VmHWM:") : nullptr;
-  if (peak != nullptr) return std::strtod(peak + std::strlen("VmHWM:"), nullptr) * 1024e-6;
+  if (const auto peak = kilobytes_in("/proc/self/status", "VmHWM:")) return *peak * 1024e-6;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) * 1024e-6;
@@ -70,11 +78,19 @@ plan_tool::Surroundings surroundings() {
   return out;
 }
 
-// A search without end is to be cut before the machine swaps: three quarters of its memory, or of
-// what the process may have (ulimit -v).
-std::uint64_t default_memory_limit() {
+// What is free, or would be without the files that are kept in memory; where the kernel does not
+// say, all of the machine's [byte].
+std::uint64_t available_memory() {
+  if (const auto available = kilobytes_in("/proc/meminfo", "MemAvailable:"))
+    return static_cast<std::uint64_t>(*available) * 1024;
   const auto pages = static_cast<std::uint64_t>(std::max(sysconf(_SC_PHYS_PAGES), 1L));
-  std::uint64_t bytes = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+// A search without end is to be cut before the machine swaps: three quarters of what is available,
+// or of what the process may have (ulimit -v).
+std::uint64_t default_memory_limit() {
+  std::uint64_t bytes = available_memory();
   rlimit allowed{};
   if (getrlimit(RLIMIT_AS, &allowed) == 0 && allowed.rlim_cur != RLIM_INFINITY) {
     bytes = std::min<std::uint64_t>(bytes, allowed.rlim_cur);
