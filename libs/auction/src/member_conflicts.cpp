@@ -22,6 +22,9 @@ class SharedMembers {
       const Task& task = catalogue.task(i);
       may_.push_back(members);
       for (const MemberNumber member : task.forbidden) may_[i].erase(member);
+      const bool enough = may_[i].size() >= task.least_members;
+      // What nobody can do is named by itself, and needs nobody.
+      if (!enough || (task.pinned && !may_[i].contains(*task.pinned))) continue;
       if (may_[i].size() == task.least_members) needs_[i] = may_[i];
       if (task.pinned) needs_[i].insert(*task.pinned);
     }

@@ -5,6 +5,8 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <bit>
+
 #include "skein/auction/member_conflicts.hpp"
 #include "skein/foundation/random.hpp"
 #include "testing/road_team.hpp"
@@ -96,12 +98,19 @@ std::set<MemberNumber> everybody() {
   return all;
 }
 
-/// Of a task that is for several or pinned: without whom it cannot be done.
+/// Who is in every crew that may do the task. Nobody, if no crew may.
 std::set<MemberNumber> needed_for(const Task& task) {
-  std::set<MemberNumber> may = everybody();
-  for (const MemberNumber member : task.forbidden) may.erase(member);
-  if (may.size() == task.least_members) return may;
-  return task.pinned ? std::set<MemberNumber>{*task.pinned} : std::set<MemberNumber>{};
+  std::optional<std::uint32_t> in_all;
+  for (std::uint32_t crew = 0; crew < 1U << kMembers; ++crew) {
+    const auto has = [crew](MemberNumber member) { return (crew >> member.value() & 1U) != 0; };
+    const bool many = std::popcount(crew) >= static_cast<int>(task.least_members);
+    const bool may = std::none_of(task.forbidden.begin(), task.forbidden.end(), has);
+    if (many && may && (!task.pinned || has(*task.pinned))) in_all = in_all.value_or(crew) & crew;
+  }
+  std::set<MemberNumber> needed;
+  for (const MemberNumber one : everybody())
+    if ((in_all.value_or(0) >> one.value() & 1U) != 0) needed.insert(one);
+  return needed;
 }
 
 bool is_of_time(const Contradiction& one) { return one.why.find("pinned") == std::string::npos; }
@@ -217,6 +226,14 @@ TEST(ContradictoryWindows, AJointTaskWhoseMembersCannotBeThereTogetherIsSaidWith
             "after 21 (ends at 80 s at the earliest, lasts 30 s) 22 cannot end before 130 s, and "
             "must by 100 s; after 22 (ends at 90 s at the earliest, lasts 50 s) 21 cannot end "
             "before 120 s, and must by 80 s");
+}
+
+TEST(ContradictoryWindows, WhatNobodyMayDoNeedsNobody) {
+  Task forbidden = a_task(31).by(10).lasting(10).pinned(1);
+  forbidden.forbidden = {MemberNumber(1)};
+  const Task pinned = a_task(32).by(10).lasting(10).pinned(1);
+
+  EXPECT_THAT(member_conflicts({{forbidden, pinned}, {}}, everybody()), ::testing::IsEmpty());
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ struct MemberConflict {
 };
 
 /// All such conflicts of a lot if only `members` may ever bid. Ways between places take no time.
-/// Tasks without dates (see contradictions()) are in no pair. Cost: the square of the tasks.
+/// Tasks without dates (see contradictions()), and those that nobody may do, are in no pair. Cost:
+/// the square of the tasks.
 std::vector<MemberConflict> member_conflicts(const Lot& lot, const std::set<MemberNumber>& members);
 
 }  // namespace skein::auction
