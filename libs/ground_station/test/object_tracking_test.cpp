@@ -44,6 +44,35 @@ TEST(ObjectTracking, IsSilentUntilTheObjectIsSeen) {
   EXPECT_THAT(tracking.handle(look(3, {{200, 40, 0}})), IsEmpty()) << "too far from where it is";
 }
 
+// A look of the same device from 40 m above the place where the object is thought to be.
+Perception look_from_above(double at, const std::vector<Vector3>& seen, double range = 250) {
+  Perception perception = look(at, seen);
+  perception.viewpoint = {90, 40, 40};
+  perception.direction = {0, 0, -1};
+  perception.range = range;
+  perception.aperture = 0.9;
+  return perception;
+}
+
+// Two that are 42 s and 15 m apart agree, by how far the object may have moved meanwhile.
+TEST(ObjectTracking, WhatTheDeviceThatSawItOnceSeesNoMoreWasAFalseAlarm) {
+  const auto told_after = [](int looks, double range, const std::string& device) {
+    ObjectTracking tracking({front()});
+    tracking.handle(look_from_above(0, {{90, 40, 0}}));
+    for (int i = 1; i <= looks; ++i) {
+      Perception nothing = look_from_above(i, {}, range);
+      nothing.device = device;
+      tracking.handle(nothing);
+    }
+    return tracking.handle(look_from_above(42, {{105, 40, 0}}));
+  };
+
+  EXPECT_THAT(told_after(2, 250, "visible"), SizeIs(1));
+  EXPECT_THAT(told_after(3, 250, "visible"), IsEmpty());
+  EXPECT_THAT(told_after(40, 30, "visible"), SizeIs(1)) << "it does not see so far";
+  EXPECT_THAT(told_after(40, 250, "ir"), SizeIs(1)) << "one that may not see fires at all";
+}
+
 TEST(ObjectTracking, TellsWhereItWasAndWhen) {
   ObjectTracking tracking({front()});
   tracking.handle(look(7, {{95, 42, 1}}, 3));

@@ -28,9 +28,12 @@ struct ObjectSeen {
 /// with it; of several in one look, the nearest. A track is confirmed by the second sighting that
 /// agrees with the one before (two-point initiation; Bar-Shalom, Li, Estimation with Applications
 /// to Tracking and Navigation, 2001, 5.5.3), since a single one may be a false alarm, and missions
-/// are planned anew when an object is reported elsewhere. Each sighting of a confirmed object is
-/// reported, at most once per second of look time. Late looks count by their age. Deterministic.
-/// Cost of a look: O(detections × objects). Thread rule: one thread. Source: spec 7.6.
+/// are planned anew when an object is reported elsewhere. Until then it is given up after three
+/// looks of the device that saw it over the same place that do not: the longer it is unconfirmed,
+/// the further off may be what agrees with it, by another false alarm. Each sighting of a confirmed
+/// object is reported, at most once per second of look time. Late looks count by their age.
+/// Deterministic. Cost of a look: O(detections × objects). Thread rule: one thread. Source:
+/// spec 7.6.
 class ObjectTracking {
  public:
   /// Precondition: problems_of(objects) is empty.
@@ -46,13 +49,17 @@ class ObjectTracking {
     double variance = 0;                   ///< per axis [m²]
     std::optional<MissionTime> seen = {};  ///< last sighting; absent: `position` is assumed
     bool sure = false;                     ///< confirmed: two sightings agreed
+    std::string by = {};                   ///< device of the first sighting, "marvin/visible"
+    int misses = 0;                        ///< its looks over that place since then
     std::optional<MissionTime> told = {};  ///< sighting last reported
   };
   /// The detection associated with a track that has a sighting; null: none.
   static const world::Detection* sighting_of(const Track& track, const world::Perception& look);
   /// The detection associated with a track that has no sighting yet; null: none.
   static const world::Detection* first_of(const Track& track, const world::Perception& look);
-  static void begin(Track& track, const world::Detection& sighting, MissionTime at);
+  /// Begins a track that is not confirmed, or gives it up.
+  static void look_for(Track& track, const world::Perception& look);
+  static void begin(Track& track, const world::Detection& sighting, const world::Perception& look);
   static void follow(Track& track, const world::Detection& sighting, MissionTime at);
 
   std::vector<Track> tracks_;
