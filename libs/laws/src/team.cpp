@@ -93,6 +93,33 @@ bool still_owned(const TeamTask& task, const TeamWork& work, double at) {
   return last.stage == "owned" && last.owners == work.uav && last.at <= work.begun;
 }
 
+/// Without work before one goes home, and for what is decided and begun meanwhile [s].
+constexpr double kRest = 10, kBegun = 40;
+
+// The last instant at which it heard so many of the others that they and it were the most.
+double last_with_most(const History& history, const std::string& uav) {
+  std::set<std::string> nodes{"ground"};
+  for (const auto& [name, it] : history.uavs) nodes.insert(name);
+  std::vector<double> heard;
+  for (const std::string& other : nodes)
+    if (other != uav) heard.push_back(history.joint.last_reached(other, uav, nodes, history.end));
+  std::sort(heard.rbegin(), heard.rend());
+  return heard.at(nodes.size() / 2 - 1);
+}
+
+// Since when it has had no goal that is open, been at that degree, and lived; never: it has one.
+double free_since(const History& history, const Uav& uav) {
+  double since = uav.degrees.empty() ? 0 : uav.degrees.back().first;
+  for (const auto& [id, goal] : uav.goals)
+    since = goal.settled() ? std::max(since, goal.changes.back().at) : kNever;
+  const auto away = history.away.find(uav.name());
+  if (away != history.away.end())
+    for (const auto& [from, until] : away->second) since = std::max(since, until);
+  for (const auto& [id, execution] : uav.executions)
+    if (execution.is_motion()) since = std::max(since, std::min(execution.over, kNever));
+  return since;
+}
+
 bool says_to_whom_for_what(const std::string& why) {
   return why.find(" to ") != std::string::npos && why.find(" for ") != std::string::npos;
 }
@@ -181,6 +208,22 @@ std::vector<Violation> kept_while_late(const History& history) {
                               " was to end by " + figure(promised) + " s"});
       }
     }
+  }
+  return result;
+}
+
+// Nothing is sold or granted to who does not reach most of the team: it does not wait there for it.
+std::vector<Violation> left_aloft(const History& history) {
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    const bool airborne = !uav.samples.empty() && uav.samples.back().airborne;
+    if (!airborne || uav.degree(history.end) < 5 || out_of_contact(uav)) continue;
+    const double apart = last_with_most(history, name);
+    const double due = apart + uav.spec->contact_loss.after.to_seconds();
+    if (std::max(due, free_since(history, uav)) + kRest + kBegun > history.end) continue;
+    result.push_back({"", history.end, name, 0,
+                      "stays in the air without a goal, out of reach of most of its team since " +
+                          figure(apart) + " s"});
   }
   return result;
 }

@@ -97,6 +97,40 @@ TEST(TeamOwned, WhoHoldsForWantOfContactTakesPartAgainOnceItsDegreeIsSet) {
   EXPECT_THAT(story.broken("team-owned"), SizeIs(1));
 }
 
+// Marvin, of a team of four with the ground station, is in the air for 300 s; the others stand by.
+Story aloft_without_goal() {
+  Story story;
+  story.degree("marvin", 0, 5).stands("heliv", 0, 300).stands("karma", 0, 300);
+  story.flies("marvin", 0, 300, {900, 0, 50}, {900, 0, 50});
+  return story;
+}
+
+TEST(TeamHome, WhoReachesMostWaitsForWork) {
+  Story story = aloft_without_goal();
+  story.link(20, "ground", "marvin", false);
+  EXPECT_THAT(story.broken("team-home"), IsEmpty());
+}
+
+TEST(TeamHome, WhoIsOutOfReachOfMostForItsPolicyIsNotLeftThere) {
+  const auto cut_at = [](double at) {
+    Story story = aloft_without_goal();
+    for (const char* other : {"ground", "heliv", "karma"}) story.link(at, other, "marvin", false);
+    return story;
+  };
+  EXPECT_THAT(cut_at(150).broken("team-home"),
+              ElementsAre(HasSubstr("out of reach of most of its team since 150.0 s")));
+  EXPECT_THAT(cut_at(195).broken("team-home"), IsEmpty());
+  EXPECT_THAT(cut_at(20).goal("marvin", 1, "perceive P1 20", "planned", 30).broken("team-home"),
+              IsEmpty());
+  EXPECT_THAT(cut_at(20).contact("marvin", 80, "hold").broken("team-home"), IsEmpty());
+}
+
+TEST(TeamHome, WhoIsOnlyHeardPastOthersIsInReach) {
+  Story story = aloft_without_goal();
+  for (const char* other : {"ground", "karma"}) story.link(20, other, "marvin", false);
+  EXPECT_THAT(story.broken("team-home"), IsEmpty());
+}
+
 TEST(TeamExplained, ASaleSaysToWhomAndForWhat) {
   EXPECT_THAT(sold().broken("team-explained"), IsEmpty());
   Story story;

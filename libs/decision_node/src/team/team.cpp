@@ -76,6 +76,21 @@ void Team::contact(const Contact& contact) {
   } else {
     out_of_reach_.insert(contact.peer);
   }
+  if (is_in_reach_of_most()) {
+    apart_since_.reset();
+  } else if (!apart_since_) {
+    apart_since_ = core_.bus().now();
+  }
+}
+
+// Nothing is sold or granted but by a majority.
+bool Team::is_in_reach_of_most() const {
+  if (!member_) return true;
+  const auto& voters = core_.config().team->roster.names();
+  const auto out = std::count_if(voters.begin(), voters.end(), [this](const std::string& one) {
+    return out_of_reach_.contains(one);
+  });
+  return 2 * static_cast<std::size_t>(out) < voters.size();
 }
 
 void Team::time_passes() {
@@ -87,7 +102,9 @@ std::optional<MissionTime> Team::next_wakeup() const {
   const auto home = idle_since_ ? std::optional(*idle_since_ + kRest) : std::nullopt;
   const auto left = left_since_ ? std::optional(*left_since_ + kRest) : std::nullopt;
   const auto late = job_ && bids_ && !job_->handed_over ? lateness_.due() : std::nullopt;
-  return earliest(member_->next_wakeup(), earliest(late, earliest(home, left)));
+  const auto out = telemetry_.state.airborne && !idle_since_ && may_be_given_work() ? left_out_at()
+                                                                                    : std::nullopt;
+  return earliest(member_->next_wakeup(), earliest(earliest(late, out), earliest(home, left)));
 }
 
 void Team::mission_answered(mission::MissionId mission, bool accepted, const std::string& why) {
@@ -185,17 +202,29 @@ void Team::put_back_what_waits(const std::string& why) {
 }
 
 bool Team::is_idle() const {
-  if (!bids_ || job_ || !telemetry_.state.airborne) return false;
-  const auto self = core_.config().team->roster.number_of(core_.config().uav);
-  for (const auto& [task, entry] : member_->ledger().entries) {
-    const bool mine =
-        std::find(entry.owners.begin(), entry.owners.end(), self) != entry.owners.end();
-    if (entry.stage == Stage::kForSale) return false;
-    if (mine && (entry.stage == Stage::kOwned || entry.stage == Stage::kGranted)) return false;
-  }
+  if (!bids_ || job_ || !telemetry_.state.airborne || may_be_given_work()) return false;
   const auto& goals = core_.deliberation().report().goals;
   return std::all_of(goals.begin(), goals.end(),
                      [](const auto& goal) { return is_settled(goal.state); });
+}
+
+std::optional<MissionTime> Team::left_out_at() const {
+  return apart_since_ ? std::optional(*apart_since_ + core_.config().contact_after) : std::nullopt;
+}
+
+// By what it knows of the book, for as long as there may be a word of it.
+bool Team::may_be_given_work() const {
+  const auto out = left_out_at();
+  if (out && core_.bus().now() >= *out) return false;
+  const auto self = core_.config().team->roster.number_of(core_.config().uav);
+  const auto& entries = member_->ledger().entries;
+  return std::any_of(entries.begin(), entries.end(), [&](const auto& each) {
+    const auction::LedgerEntry& entry = each.second;
+    const auto& owners = entry.owners;
+    const bool open = entry.stage == Stage::kOwned || entry.stage == Stage::kGranted;
+    return entry.stage == Stage::kForSale ||
+           (open && std::find(owners.begin(), owners.end(), self) != owners.end());
+  });
 }
 
 void Team::go_home() {
@@ -205,7 +234,12 @@ void Team::go_home() {
   mission::UnitMission mission;
   mission.id = next_mission();
   mission.tasks.push_back({mission::GoalId(mission.id.value()), land, {}, {}});
-  mission.asked_by = core_.config().uav + " itself: the team has nothing for it";
+  const auto out = left_out_at();
+  const bool left_out = out && core_.bus().now() >= *out;
+  mission.asked_by =
+      core_.config().uav + (left_out ? " itself: most of the team are out of reach since " +
+                                           to_text(*apart_since_) + " s"
+                                     : " itself: the team has nothing for it");
   core_.deliberation().take_for_team(mission);
 }
 

@@ -75,6 +75,10 @@ class Team final : public Component {
   void look_at_what_was_handed_over();
   void go_home();
   bool is_idle() const;
+  bool is_in_reach_of_most() const;
+  /// From when on it counts on no more work of the team, of which it reaches too few.
+  std::optional<MissionTime> left_out_at() const;
+  bool may_be_given_work() const;
   Vantage vantage();
   mission::HighLevelTask as_bid_for(const mission::HighLevelTask& task,
                                     std::uint32_t members) const;
@@ -92,7 +96,8 @@ class Team final : public Component {
   std::map<auction::TaskNumber, std::optional<refiners::Gate>> visits_;
   std::shared_ptr<const world::World> visited_;  ///< the world for which `visits_` were computed
   std::optional<MissionTime> idle_since_;
-  std::optional<MissionTime> left_since_;  ///< nobody decides on what was handed over, since then
+  std::optional<MissionTime> apart_since_;  ///< it reaches too few to be sold or granted anything
+  std::optional<MissionTime> left_since_;   ///< nobody decides on what was handed over, since then
   std::uint64_t missions_ = 0;
 };
 

@@ -35,6 +35,8 @@ Config config(int degree) {
   knowledge->team = {"marvin", "heliv"};
   knowledge->vocabulary.tasks["look"] = {"look", {mission::ParameterKind::kPlace}, {}};
   auto world = std::make_shared<world::World>(skein::testing::level_world(1000));
+  const std::string come_down(supervisor::kComeDown);
+  knowledge->vocabulary.tasks[come_down] = {come_down, {}, {}};
   world->places["P1"] = {100, 0, 0};
   config.knowledge = knowledge;
   config.world = world;
@@ -216,6 +218,56 @@ TEST(Team, BackAtDegreeFiveItBidsAgain) {
   marvin.at_degree(5);
 
   EXPECT_TRUE(status_in(marvin.hear(book(Stage::kForSale))).bids);
+}
+
+// Marvin in the air at degree 5, with a book that says that task 11 is not done.
+class Aloft : public Marvin {
+ public:
+  explicit Aloft(Stage stage) : Marvin(5) {
+    for (const std::string peer : {"heliv", "ground"}) reach(peer, true);
+    give(testing::flying(true));
+    hear(book(stage));
+  }
+  void reach(const std::string& peer, bool reachable) {
+    give(Contact{peer, peer == "ground", reachable});
+  }
+  /// Whether it gives itself the goal to come down within that time.
+  bool comes_down_within(int seconds) {
+    bool comes = false;
+    for (int i = 0; i < seconds; ++i) {
+      wait(1);
+      for (const supervisor::GoalChanged& goal : all<supervisor::GoalChanged>(give(Tick{})))
+        comes = comes || goal.status.asked_by ==
+                             "marvin itself: most of the team are out of reach since 0 s";
+    }
+    return comes;
+  }
+};
+
+constexpr int kPolicyAndRest = 70;  // the time of its contact-loss policy, then ten seconds [s]
+
+TEST(Team, WhoReachesNoMajorityComesHomeOnceItsContactLossPolicyIsDueThoughItMayHaveWork) {
+  for (const Stage stage : {Stage::kForSale, Stage::kOwned}) {
+    Aloft marvin(stage);
+    marvin.reach("heliv", false);
+    marvin.reach("ground", false);
+
+    EXPECT_FALSE(marvin.comes_down_within(kPolicyAndRest - 1));
+    EXPECT_TRUE(marvin.comes_down_within(3));
+  }
+}
+
+TEST(Team, WhoReachesAMajorityWaitsForItsWork) {
+  Aloft cut_from_one(Stage::kForSale), back_in_time(Stage::kForSale);
+  cut_from_one.reach("ground", false);
+  back_in_time.reach("ground", false);
+  back_in_time.reach("heliv", false);
+  EXPECT_FALSE(back_in_time.comes_down_within(kPolicyAndRest - 15));
+
+  back_in_time.reach("heliv", true);
+
+  EXPECT_FALSE(back_in_time.comes_down_within(3 * kPolicyAndRest));
+  EXPECT_FALSE(cut_from_one.comes_down_within(3 * kPolicyAndRest));
 }
 
 TEST(Team, AStrangerIsNotHeard) {
