@@ -142,7 +142,7 @@ bool Executive::Core::step() {
 // started            running            running
 // started, running   ended              ended
 // started, running   aborted            aborted
-// aborting           ended or aborted   aborted
+// aborting           ended or aborted   aborted; who was over already answers the interruption too
 // anything else: a notice
 void Executive::Core::on(const FunctionalStatus& status) {
   const std::string what = "status '" + std::string(to_text(status.state)) + "' of ";
@@ -152,6 +152,7 @@ void Executive::Core::on(const FunctionalStatus& status) {
   const TaskState from = record.state;
   if (status.state == TaskState::kStarted && from == TaskState::kStarted && !record.synchronisation)
     return expect_answer(record);
+  if (is_terminal(status.state) && std::exchange(record.answers, false)) return;
   const bool fits = !record.synchronisation && is_active(from) &&
                     (is_terminal(status.state) ||
                      (status.state == TaskState::kRunning && from == TaskState::kStarted));
@@ -165,6 +166,7 @@ void Executive::Core::on(const FunctionalStatus& status) {
   if (reason.empty() && status.state == TaskState::kAborted) {
     reason = from == TaskState::kStarted ? "rejected" : "aborted by who carries it out";
   }
+  record.answers = counts_as_aborted;
   if (!counts_as_aborted && status.state == TaskState::kAborted) record.cause = status.cause;
   set_state(*slot, counts_as_aborted ? TaskState::kAborted : status.state, reason);
 }

@@ -85,6 +85,23 @@ TEST(Executive, NeverCountsAnInterruptedTaskAsEnded) {
   EXPECT_EQ(mission.reason_of(1), "abort requested");
 }
 
+// Found by random missions (--anything 48): an engine failed, and a camera that was to stop with the
+// flight had stopped by itself; the interruption was answered by what had been told of it last.
+TEST(Executive, TakesTheAnswerToAnInterruptionThatMetATaskWhichWasOver) {
+  for (const TaskState over : {kEnded, kAborted}) {
+    Mission mission;
+    mission.start(TaskOf(1, "goto"));
+    mission.runs(1);
+    mission.abort(1);
+
+    EXPECT_THAT(mission.status(1, over), ElementsAre("1 aborted"));
+    EXPECT_THAT(mission.status(1, over), IsEmpty());
+    EXPECT_THAT(mission.notices, IsEmpty());
+    EXPECT_THAT(mission.status(1, over), IsEmpty());
+    EXPECT_THAT(mission.notices, SizeIs(1)) << "it was answered";
+  }
+}
+
 TEST(Executive, TellsTheCauseOfAnAbortAsWhoCarriesItOutDid) {
   Mission mission;
   mission.start(TaskOf(1, "goto"));

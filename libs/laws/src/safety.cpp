@@ -2,6 +2,7 @@
 // Closed air and energy, by where the vehicles really were and what they really had.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "by_hand.hpp"
 #include "checks.hpp"
@@ -46,6 +47,7 @@ bool is_in_a_hand(int degree) { return degree < 4; }
 
 struct Stay {
   double from = 0, until = 0, deepest = 0;
+  bool stood = false;  ///< in there, before it set out
 };
 
 // Times in a volume, at a degree that is judged. Who waits beside one may be blown in by as much as
@@ -53,8 +55,10 @@ struct Stay {
 std::vector<Stay> stays_in(const Uav& uav, const Closing& closing, bool (*is_judged)(int degree)) {
   const double deep = 1 + world::tracking_spread(uav.spec->model);  // [m]
   std::vector<Stay> stays;
-  bool inside = false;
+  bool inside = false, stood = false;
   for (const Sample& sample : uav.samples) {
+    const bool was_standing =
+        std::exchange(stood, !uav.is_out(sample) && depth_in(closing.volume, sample.position) > 0);
     const bool closed = sample.at >= closing.known && sample.at < closing.opened &&
                         sample.at < closing.volume.when.until.to_seconds();
     const double depth = closed && uav.is_out(sample) && is_judged(uav.degree(sample.at)) &&
@@ -65,7 +69,7 @@ std::vector<Stay> stays_in(const Uav& uav, const Closing& closing, bool (*is_jud
       inside = false;
       continue;
     }
-    if (!inside) stays.push_back({sample.at, sample.at, 0});
+    if (!inside) stays.push_back({sample.at, sample.at, 0, was_standing});
     inside = true;
     stays.back().until = sample.at;
     stays.back().deepest = std::max(stays.back().deepest, depth);
@@ -92,8 +96,8 @@ std::vector<Violation> in_closed_air(const History& history) {
     if (history.was_killed(name)) continue;
     for (const Closing& closing : uav.closings) {
       for (const Stay& stay : stays_in(uav, closing, is_on_its_own)) {
-        const bool caught =
-            stay.from <= closing.known + kNoChoice || climbed_then(uav, stay.from, closing.known);
+        const bool caught = stay.stood || stay.from <= closing.known + kNoChoice ||
+                            climbed_then(uav, stay.from, closing.known);
         const double allowed = caught ? time_to_leave(uav, stay.deepest) : 0;
         const bool short_enough = caught && stay.until - stay.from <= allowed;
         if (short_enough || was_left_by_hand(history, uav, stay.from)) continue;

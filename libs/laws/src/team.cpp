@@ -159,6 +159,14 @@ std::vector<Violation> team_tasks_begun_twice(const History& history) {
   return result;
 }
 
+// The ground station has been in reach of one that bids for as long as a sale takes.
+bool could_be_given(const History& history, double since) {
+  return std::any_of(history.uavs.begin(), history.uavs.end(), [&](const auto& each) {
+    return each.second.degree(history.end) >= 5 &&
+           history.joint.up_for(each.first, "ground", since, history.end) > kSold;
+  });
+}
+
 // Once the network has healed every task finds an owner who goes on with it, or is said to be for
 // nobody.
 std::vector<Violation> team_tasks_without_owner(const History& history) {
@@ -182,7 +190,7 @@ std::vector<Violation> team_tasks_without_owner(const History& history) {
                           " s after the network was whole: " + last.why});
   }
   const bool nothing = history.team.tasks.empty() && !history.team.given.empty() &&
-                       history.end - std::max(history.team.given.front(), whole) > kSold;
+                       could_be_given(history, std::max(history.team.given.front(), whole));
   if (nothing) {
     result.push_back({"", history.end, "", 0, "a global mission was given, and nobody sold it"});
   }

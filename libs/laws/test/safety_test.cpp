@@ -41,6 +41,20 @@ TEST(ClosedAir, WhoIsCaughtInsideLeavesWithoutDelay) {
   EXPECT_THAT(leaves_after(100), ElementsAre(HasSubstr("stays")));
 }
 
+// Found by random missions (--anything 15): a robot whose home is closed drove out of it.
+TEST(ClosedAir, WhoStoodInItAtFirstMayLeaveButNotStay) {
+  const auto leaves_after = [](double seconds) {
+    Story story(kTower);
+    story.stands("marvin", 0, 30, {150, 50, 0});
+    story.flies("marvin", 31, 30 + seconds, {150, 50, 40}, {150, 50, 40});
+    story.flies("marvin", 31 + seconds, 45 + seconds, {150, 50, 40}, {150, 150, 40});
+    return story.broken("closed-air");
+  };
+
+  EXPECT_THAT(leaves_after(5), IsEmpty());
+  EXPECT_THAT(leaves_after(100), ElementsAre(HasSubstr("stays")));
+}
+
 TEST(ClosedAir, AirThatIsOpenedAndClosedAgainWasOpenInBetween) {
   const std::string opens =
       "    - {step: open, when: {time: 60}, do: [{open_air: {name: smoke}}]}\n";

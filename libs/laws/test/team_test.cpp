@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/journal/lines/team.hpp"
 #include "testing/story.hpp"
 
 namespace skein::laws::testing {
@@ -86,6 +87,20 @@ TEST(TeamOwned, WhoIsOutOfReachOfMostCannotBeSoldTo) {
   };
   EXPECT_THAT(last_heard(70), IsEmpty());
   EXPECT_THAT(last_heard(90), SizeIs(1));
+}
+
+// Found by random missions (--anything 14): all homes were beyond the radio's range.
+TEST(TeamOwned, AMissionThatNobodyWhoBidsCouldBeGivenIsNotSold) {
+  const auto given = [](double heard) {
+    Story story;
+    story.degree("marvin", 0, 5).link(0, "marvin", "ground", false);
+    story.line(journal::record_of(MissionTime::seconds(10), "ground",
+                                  journal::lines::GlobalMission{.mission = 1, .state = "given"}));
+    story.link(200 - heard, "marvin", "ground", true).stands("marvin", 0, 200);
+    return story.broken("team-owned");
+  };
+  EXPECT_THAT(given(50), IsEmpty());
+  EXPECT_THAT(given(70), ElementsAre(HasSubstr("nobody sold it")));
 }
 
 TEST(TeamOwned, WhoHoldsForWantOfContactTakesPartAgainOnceItsDegreeIsSet) {

@@ -300,7 +300,8 @@ void Merging::look_for_way_around() {
   want(std::move(*airways));
 }
 
-/// Whoever can wait no longer goes, and says so: that it falls is no better.
+/// Whoever can wait no longer comes home, and says so: that it falls is no better. What it could do
+/// without is given up instead: nobody flies to a goal without its air.
 void Merging::look_at_energy() {
   const Deliberation& deliberation = core_.deliberation();
   const world::VehicleState& seen = vehicle_.state();
@@ -310,8 +311,13 @@ void Merging::look_at_energy() {
   if (!supervisor::must_come_home(seen.energy, *core_.config().knowledge, *deliberation.world(),
                                   core_.bus().now(), seen.position))
     return;
-  core_.bus().emit(Notice{"flies unasked: its energy lasts no longer than to come home; " +
-                          waiting_->request.type + " waited for its air"});
+  const std::string why = "its energy lasts no longer than to come home";
+  if (longest_wait(core_, waiting_->request))
+    return refuse(
+        why + ", and others leave it no air: it waits for " + joined(waiting_->waits_for, "; "),
+        functional::AbortCause::kNoAir);
+  core_.bus().emit(
+      Notice{"flies unasked: " + why + "; " + waiting_->request.type + " waited for its air"});
   give(merging::Withdraw{});
   begin(Airway(waiting_->airways.front()), "unasked");
 }

@@ -100,6 +100,32 @@ TEST(Merging, WhoStaysWhereOneIsToGoIsWaitedFor) {
   EXPECT_THAT(team.begun("heliv"), IsEmpty());
 }
 
+constexpr double kJustHome = 0.115;  ///< at home; of the reserve of 10 % and a margin of 2 %
+
+TEST(Merging, WhoseEnergyLastsNoLongerThanToComeHomeGivesUpItsGoalAndDoesNotFlyThereUnasked) {
+  MergedTeam team = before_a_wall();
+  team.command("heliv", goto_of(7, {0, 0, 40}));
+  team.run(100);
+  ASSERT_FALSE(team.is_over("heliv", 7));
+  team.drain("heliv", kJustHome);
+  team.run(1);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+  EXPECT_THAT(team.begun("heliv"), IsEmpty());
+  EXPECT_EQ(team.events("heliv").back().cause, executive::AbortCause::kNoAir);
+}
+
+TEST(Merging, WhoseEnergyLastsNoLongerThanToComeHomeLandsUnasked) {
+  MergedTeam team({{"marvin", {100, 0, 15}}, {"heliv", {100, 0, 60}}}, 4);
+  team.cut("heliv", "marvin");
+  team.command("heliv", testing::start_of(7, "land"));
+  team.run(100);
+  ASSERT_THAT(team.begun("heliv"), IsEmpty());
+  team.drain("heliv", kJustHome);
+  team.run(1);
+  EXPECT_THAT(team.begun("heliv"), ElementsAre(7));
+  EXPECT_THAT(states(team.notes("heliv")), ::testing::Contains("unasked"));
+}
+
 // The time-out of the executive is 120 s.
 TEST(Merging, AMotionThatWaitsIsNotRunningAndItsExecutiveIsPatient) {
   MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}});

@@ -140,6 +140,8 @@ class MergedTeam {
   void tell_every(int tenths) { telemetry_tenths_ = tenths; }
   /// It is on the ground from now on, and aborts whatever it is given.
   void put_down(const std::string& uav) { uavs_[uav].is_put_down = true; }
+  /// So much of its energy is left from now on.
+  void drain(const std::string& uav, double left) { uavs_[uav].state.energy = left; }
   /// Who asked to be woken at one instant again and again.
   const std::set<std::string>& restless() const { return restless_; }
 

@@ -10,7 +10,7 @@ namespace skein::supervisor {
 
 namespace {
 
-constexpr double kRoom = 0.005;       // after which a shortage may be told again
+constexpr double kRoom = 0.005;       // by which a shortage is another one
 constexpr double kTouchDown = 0.004;  // above the reserve, beside the descent: it is time
 
 }  // namespace
@@ -53,13 +53,15 @@ void EnergyWatch::check() {
   if (agenda_.repairing()) return;
   const double left = beliefs_.energy_above_reserve() - kSpareEnergy / 2;
   if (wanted(retreat().at_most()) <= left - kRoom) {
-    told_ = false;
+    told_.reset();
     return;
   }
   const double needed = wanted(retreat());
-  if (needed <= left - kRoom) told_ = false;
-  if (needed <= std::max(left, 0.0) || told_) return;
-  told_ = true;
+  if (needed <= left - kRoom) told_.reset();
+  const double missing = needed - std::max(left, 0.0);
+  if (told_) told_ = std::min(*told_, std::max(missing, 0.0));
+  if (missing <= 0 || (told_ && (left <= 0 || missing <= *told_ + kRoom))) return;
+  told_ = missing;
   run_short(needed);
 }
 

@@ -17,9 +17,9 @@ class EnergyWatch {
   EnergyWatch(const Beliefs& beliefs, SafeMode& safe_mode, Committer& committer, Agenda& agenda,
               Outbox& out, Book& book);
 
-  /// Called with every vehicle state. Reacts once to a shortage, and again only after the energy
-  /// was sufficient with some margin. Simulates flights only if a cheap upper bound is not
-  /// sufficient.
+  /// Called with every vehicle state. Reacts once to a shortage, and again after the energy was
+  /// sufficient with some margin, or once clearly more is missing. Simulates flights only if a
+  /// cheap upper bound is not sufficient.
   void check();
 
  private:
@@ -42,7 +42,7 @@ class EnergyWatch {
   Agenda& agenda_;
   Outbox& out_;
   Book& book_;
-  bool told_ = false;
+  std::optional<double> told_;  ///< so much was missing when it last reacted
 };
 
 }  // namespace skein::supervisor

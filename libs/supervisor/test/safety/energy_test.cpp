@@ -106,6 +106,93 @@ TEST(SupervisorEnergy, WhatWasWaitedForFailsWithItsReason) {
   EXPECT_THAT(desk.why_of(701), HasSubstr("waits no longer"));
 }
 
+// What it planned anew then was just enough, and it waited on.
+TEST(SupervisorEnergy, WhatIsShortAgainAfterARepairThatWasJustEnoughIsRepairedAgain) {
+  const auto go = [](std::uint64_t id, double energy) {
+    return TaskOf(id, "goto", 702)
+        .after(100)
+        .takes(100, 120)
+        .energy(energy)
+        .way({{1000, 0, 40}, {0, 0, 40}});
+  };
+  Desk desk = Desk::engaged(with_figures());
+  desk.flies({1000, 0, 40}, 0.5);
+  desk.add(a_mission(1, {701, 702}));
+  desk.finish(inserted({701, 702}, {TaskOf(100, "wait", 701).takes(900, 1000), go(101, 0.05)}));
+  desk.runs(100);
+  const auto left = [&](double above) -> Desk& {
+    desk.flies({1000, 0, 40}, 0.1 + 0.01 + above);
+    return desk;
+  };
+  ASSERT_TRUE(left(0.03).job_started());
+  desk.finish(repaired(RepairStep::kReplan, {702}, {go(110, 0.025)}));
+  ASSERT_FALSE(left(0.03).job_started());
+
+  EXPECT_FALSE(left(0.027).job_started()) << "within the margin";
+  EXPECT_TRUE(left(0.018).job_started());
+}
+
+/// What became of task 100, a flight of goal 701 away from home that the executive was given.
+struct Progress {
+  const char* name;
+  void (*make)(Desk& desk);
+};
+
+class WithJustTheEnergyToComeHome : public ::testing::TestWithParam<Progress> {};
+
+TEST_P(WithJustTheEnergyToComeHome, AUavComesHomeWhateverBecameOfItsTask) {
+  Desk desk = Desk::engaged(with_figures());
+  desk.flies({1000, 0, 40}, 0.5);
+  desk.add(a_mission(1, {701}));
+  const auto away = [](std::uint64_t id) {
+    return TaskOf(id, "goto", 701).takes(100, 120).energy(0.01).way({{1000, 0, 40}, {2000, 0, 40}});
+  };
+  desk.finish(inserted({701}, {away(100)}));
+  GetParam().make(desk);
+  if (desk.job_started()) desk.finish(repaired(RepairStep::kRefine, {701}, {away(110)}));
+  desk.at(700).flies({1000, 0, 40}, 0.5);
+  ASSERT_FALSE(desk.job_started());
+
+  desk.at(800).flies({1000, 0, 40}, 0.12);
+
+  ASSERT_TRUE(desk.job_started());
+  ASSERT_TRUE(desk.repair().retreat.has_value());
+  RepairOutcome home =
+      repaired(RepairStep::kReturn, {},
+               {TaskOf(120, "goto", desk.repair().retreat->id.value()),
+                TaskOf(121, "land", desk.repair().retreat->id.value()).after(120)});
+  home.order = {*desk.repair().retreat};
+  home.dropped = {{GoalId{701}, "the UAV returns and lands"}};
+  desk.finish(home);
+  EXPECT_THAT(desk.requests(), Contains("START 121"));
+  EXPECT_THAT(desk.state_of(701), ::testing::AnyOf("failed", "achieved"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Tasks, WithJustTheEnergyToComeHome,
+                         ::testing::Values(Progress{"Scheduled", [](Desk&) {}},
+                                           Progress{"WaitsForItsAir",
+                                                    [](Desk& desk) {
+                                                      desk.seen(100, TaskState::kStarted);
+                                                    }},
+                                           Progress{"Runs", [](Desk& desk) { desk.runs(100); }},
+                                           Progress{"GotNoAir",
+                                                    [](Desk& desk) {
+                                                      desk.seen(100, TaskState::kStarted);
+                                                      desk.aborted(100, "others leave it no air",
+                                                                   executive::AbortCause::kNoAir);
+                                                    }},
+                                           Progress{"Refused",
+                                                    [](Desk& desk) {
+                                                      desk.seen(100, TaskState::kStarted);
+                                                      desk.aborted(100, "rejected");
+                                                    }},
+                                           Progress{"Hovers",
+                                                    [](Desk& desk) {
+                                                      desk.runs(100);
+                                                      desk.ends(100);
+                                                    }}),
+                         [](const auto& one) { return one.param.name; });
+
 TEST(SupervisorEnergy, AUavWithoutAPlanIsBroughtHomeInTime) {
   Desk desk = Desk::engaged(with_figures());
   desk.add(a_mission(1, {701}));
