@@ -3,6 +3,7 @@
 // at degrees 2 to 5 from several homes, with whatever the format offers, in one mission.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "parts.hpp"
 #include "skein/foundation/joined.hpp"
@@ -124,7 +125,7 @@ class AnyDrawing {
       mission_.places.push_back("H" + std::to_string(i + 1) + ": [" + home + ", 0]");
       if (kinds_.energy && random_.chance(0.35))
         one.more += ", energy: " + hundredths(random_.uniform(0.14, 0.4));
-      if (kinds_.radio && random_.chance(0.4)) one.more += draw_contact_loss(random_);
+      if (kinds_.radio && random_.chance(0.4)) one.more += a_policy();
       one.altitude = 40 + (at_one_height ? 0 : 18 * static_cast<double>(i));
       one.first_id = 1000 * static_cast<int>(i + 1);
       one.degree = random_.chance(0.25) ? 2 + static_cast<int>(random_.below(2)) : 4;
@@ -134,6 +135,12 @@ class AnyDrawing {
     static const std::vector<std::string> kConsistency{"dip-m", "dip-m", "dip-l", "dip-g", "cip"};
     mission_.consistency = kConsistency[random_.below(kConsistency.size())];
     if (random_.chance(0.2)) mission_.partner_lease = random_.uniform(60, 300);
+  }
+
+  std::string a_policy() {
+    static const std::vector<std::string> kPolicies{"hold", "return", "continue"};
+    const std::string& policy = kPolicies[random_.below(kPolicies.size())];
+    return contact_loss(policy, random_.uniform(20, 90));
   }
 
   // Of those who plan for themselves some share out a global mission, unasked by the others.
@@ -240,12 +247,7 @@ class AnyDrawing {
   }
 
   void act(const std::string& name, const std::string& when, double after, std::string action) {
-    Step step;
-    step.name = name;
-    step.when = when;
-    step.after = std::round(after);
-    step.action = std::move(action);
-    mission_.steps.push_back(std::move(step));
+    add_action(mission_, name, when, after, std::move(action));
   }
 
   // Who bids has something of its own now and then; whoever does not plan is given tasks.
@@ -351,8 +353,7 @@ class AnyDrawing {
     mission_.objects.push_back(std::string("hot: {kind: ") + kind + ", position: " + point(x, y) +
                                ", radius: 4}");
     const std::string zone = "Z" + std::to_string(mission_.zones.size() + 1);
-    mission_.zones.push_back(zone + ": [" + point(x - 90, y - 70) + ", " + point(x + 90, y - 70) +
-                             ", " + point(x + 90, y + 70) + ", " + point(x - 90, y + 70) + "]");
+    mission_.zones.push_back(zone + ": " + rectangle(x, y, 90, 70));
     const std::string place = on_ground(), when = at_any_time();
     add(begin_mission(looks, "search", when), "[perform-detection, " + zone + ", " + place + ", " +
                                                   whole_between(random_, 100, 300) + "]");
@@ -427,11 +428,7 @@ class AnyDrawing {
   void draw_air() {
     for (std::size_t n = random_.below(4); n > 0; --n) {
       double x = any_x(random_), y = any_y(random_);
-      if (random_.chance(0.5)) {
-        const std::string& place = mission_.places[random_.below(mission_.places.size())];
-        x = std::stod(place.substr(place.find('[') + 1));
-        y = std::stod(place.substr(place.find(',') + 1));
-      }
+      if (random_.chance(0.5)) std::tie(x, y) = draw_place_of(random_, mission_);
       close(std::to_string(n), draw_box(random_, x, y));
     }
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "parts.hpp"
 #include "skein/foundation/random.hpp"
@@ -91,8 +92,7 @@ class Drawing {
       if (kinds_.energy && random_.chance(0.12))
         one.more += ", energy: " + hundredths(random_.uniform(0.12, 0.5));
       if (kinds_.radio && random_.chance(0.3)) {
-        one.more += std::string(", contact_loss: {policy: ") +
-                    (random_.chance(0.5) ? "hold" : "return") + ", after: 60}";
+        one.more += contact_loss(random_.chance(0.5) ? "hold" : "return", 60);
       }
       next_goal_.push_back(700 + 1000 * static_cast<int>(mission_.team.size()));
       mission_.team.push_back(std::move(one));
@@ -407,8 +407,7 @@ class Drawing {
 
   std::string draw_volume(double x, double y) {
     const double a = random_.uniform(30, 90), b = random_.uniform(30, 90);
-    std::string text = "polygon: [" + point(x - a, y - b) + ", " + point(x + a, y - b) + ", " +
-                       point(x + a, y + b) + ", " + point(x - a, y + b) + "]";
+    std::string text = "polygon: " + rectangle(x, y, a, b);
     if (random_.chance(0.4)) text += ", ceiling: " + whole(random_.uniform(50, 150));
     return text;
   }
@@ -417,11 +416,7 @@ class Drawing {
   void draw_closings() {
     for (std::size_t n = 1 + random_.below(2); n > 0; --n) {
       double x = random_.uniform(80, 500), y = random_.uniform(-50, 400);
-      if (random_.chance(0.5)) {
-        const std::string& place = mission_.places[random_.below(mission_.places.size())];
-        x = std::stod(place.substr(place.find('[') + 1));
-        y = std::stod(place.substr(place.find(',') + 1));
-      }
+      if (random_.chance(0.5)) std::tie(x, y) = draw_place_of(random_, mission_);
       const std::string name = "smoke-" + std::to_string(n);
       const std::size_t who = random_.below(mission_.team.size());
       const std::string volume = draw_volume(x, y);

@@ -83,8 +83,7 @@ class MixedDrawing {
       if (kinds_.energy && random_.chance(0.1))
         one.more += ", energy: " + hundredths(random_.uniform(0.15, 0.5));
       if (kinds_.radio && random_.chance(0.25))
-        one.more += std::string(", contact_loss: {policy: ") +
-                    (random_.chance(0.5) ? "hold" : "return") + ", after: 60}";
+        one.more += contact_loss(random_.chance(0.5) ? "hold" : "return", 60);
       one.altitude = 35 + 18 * static_cast<double>(i);
       one.first_id = 1000 * static_cast<int>(i + 1);
       one.degree = 4;
@@ -155,8 +154,7 @@ class MixedDrawing {
     mission_.places.push_back("F: [" + whole(x + radius) + ", " + whole(y) + ", 0]");
     mission_.followed.push_back(
         "F: {kind: fire, reach: 60, drift: " + tenths(random_.uniform(0.3, 1)) + "}");
-    mission_.zones.push_back("ZF: [" + point(x - 80, y - 60) + ", " + point(x + 80, y - 60) + ", " +
-                             point(x + 80, y + 60) + ", " + point(x - 80, y + 60) + "]");
+    mission_.zones.push_back("ZF: " + rectangle(x, y, 80, 60));
   }
 
   bool burns() const { return !mission_.followed.empty(); }
@@ -271,12 +269,7 @@ class MixedDrawing {
 
   void act(const std::string& name, const std::string& when, double after,
            const std::string& action) {
-    Step step;
-    step.name = name;
-    step.when = when;
-    step.after = std::round(after);
-    step.action = action;
-    mission_.steps.push_back(std::move(step));
+    add_action(mission_, name, when, after, action);
   }
 
   std::string at_any_time() { return "{time: " + whole(random_.uniform(15, kLatest)) + "}"; }
@@ -324,10 +317,8 @@ class MixedDrawing {
     for (std::size_t n = random_.below(3); n > 0; --n) {
       const double x = random_.uniform(50, 400), y = random_.uniform(0, 400);
       const double half = random_.uniform(15, 60);
-      const std::string volume = "polygon: [" + point(x - half, y - half) + ", " +
-                                 point(x + half, y - half) + ", " + point(x + half, y + half) +
-                                 ", " + point(x - half, y + half) +
-                                 "], floor: 0, ceiling: " + whole(random_.uniform(40, 150));
+      const std::string volume = "polygon: " + rectangle(x, y, half, half) +
+                                 ", floor: 0, ceiling: " + whole(random_.uniform(40, 150));
       if (random_.chance(0.5)) {
         mission_.volumes.push_back("V" + std::to_string(n) + ": {" + volume + "}");
       } else {

@@ -254,9 +254,8 @@ class OrderDrawing {
         std::tie(x, y) = flown_to_[random_.below(flown_to_.size())];
       const double half = random_.uniform(20, 60);
       act("close", at_any_time(), 0,
-          "close_air: {name: smoke, polygon: [" + point(x - half, y - half) + ", " +
-              point(x + half, y - half) + ", " + point(x + half, y + half) + ", " +
-              point(x - half, y + half) + "], floor: 0, ceiling: 150}");
+          "close_air: {name: smoke, polygon: " + rectangle(x, y, half, half) +
+              ", floor: 0, ceiling: 150}");
     }
   }
 

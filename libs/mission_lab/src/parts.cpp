@@ -12,6 +12,11 @@ std::string whole(double number) { return std::to_string(std::lround(number)); }
 
 std::string point(double x, double y) { return "[" + whole(x) + ", " + whole(y) + "]"; }
 
+std::string rectangle(double x, double y, double a, double b) {
+  return "[" + point(x - a, y - b) + ", " + point(x + a, y - b) + ", " + point(x + a, y + b) +
+         ", " + point(x - a, y + b) + "]";
+}
+
 std::string whole_between(Random& random, double least, double most) {
   return whole(random.uniform(least, most));
 }
@@ -21,16 +26,29 @@ std::string draw_length(Random& random) {
   return random.chance(0.8) ? whole(least) : whole(least) + ".." + whole(least + 60);
 }
 
-std::string draw_contact_loss(Random& random) {
-  static const std::vector<std::string> kPolicies{"hold", "return", "continue"};
-  const std::string& policy = kPolicies[random.below(kPolicies.size())];
-  return ", contact_loss: {policy: " + policy + ", after: " + whole_between(random, 20, 90) + "}";
+std::string contact_loss(const std::string& policy, double after) {
+  return ", contact_loss: {policy: " + policy + ", after: " + whole(after) + "}";
+}
+
+std::pair<double, double> draw_place_of(Random& random, const Mission& mission) {
+  const std::string& place = mission.places[random.below(mission.places.size())];
+  return {std::stod(place.substr(place.find('[') + 1)),
+          std::stod(place.substr(place.find(',') + 1))};
+}
+
+void add_action(Mission& mission, const std::string& name, const std::string& when, double after,
+                std::string action) {
+  Step step;
+  step.name = name;
+  step.when = when;
+  step.after = std::round(after);
+  step.action = std::move(action);
+  mission.steps.push_back(std::move(step));
 }
 
 std::string draw_box(Random& random, double x, double y) {
   const double a = random.uniform(20, 90), b = random.uniform(20, 90);
-  std::string volume = "polygon: [" + point(x - a, y - b) + ", " + point(x + a, y - b) + ", " +
-                       point(x + a, y + b) + ", " + point(x - a, y + b) + "]";
+  std::string volume = "polygon: " + rectangle(x, y, a, b);
   if (random.chance(0.3)) volume += ", floor: " + whole_between(random, 20, 80);
   if (random.chance(0.5)) volume += ", ceiling: " + whole_between(random, 90, 180);
   return volume;

@@ -16,6 +16,8 @@ namespace skein::mission_lab {
 std::string whole(double number);
 /// "[10, 20]".
 std::string point(double x, double y);
+/// The corners of a rectangle 2a by 2b around a point: "[[0, 0], …]".
+std::string rectangle(double x, double y, double a, double b);
 /// A number rounded to one decimal, as text.
 std::string tenths(double number);
 /// A number rounded to two decimals, as text.
@@ -24,12 +26,18 @@ std::string hundredths(double number);
 std::string whole_between(Random& random, double least, double most);
 /// How long a task is to take [s]: a figure, or a range of a minute.
 std::string draw_length(Random& random);
-/// A UAV's contact-loss policy, to follow its other properties: ", contact_loss: {…}".
-std::string draw_contact_loss(Random& random);
+/// A UAV's contact-loss policy and after how long [s], to follow its other properties:
+/// ", contact_loss: {…}".
+std::string contact_loss(const std::string& policy, double after);
 /// A volume of air around a point, from the ground or higher up, to the sky or lower down.
 std::string draw_box(Random& random, double x, double y);
 /// Adds a random place on the ground to the mission; returns its name ("P1", "P2", …).
 std::string add_place(Random& random, Mission& mission);
+/// x and y of one of the mission's places [m]. Precondition: there is one.
+std::pair<double, double> draw_place_of(Random& random, const Mission& mission);
+/// Adds a step that carries out one action `after` seconds, rounded, behind its trigger.
+void add_action(Mission& mission, const std::string& name, const std::string& when, double after,
+                std::string action);
 /// Index of the team member that a step is for.
 std::size_t member_of(const Mission& mission, const Step& step);
 /// Random time constraints of a high-level task.

@@ -159,10 +159,8 @@ class RobotDrawing {
     for (std::size_t n = random_.below(3); n > 0; --n) {
       const double x = random_.uniform(0, 400), y = random_.uniform(0, 400);
       const double half = random_.uniform(15, 60);
-      std::string volume = "V" + std::to_string(n) + ": {polygon: [" + point(x - half, y - half) +
-                           ", " + point(x + half, y - half) + ", " + point(x + half, y + half) +
-                           ", " + point(x - half, y + half) +
-                           "], floor: " + (random_.chance(0.3) ? "60" : "0") + ", ceiling: 150";
+      std::string volume = "V" + std::to_string(n) + ": {polygon: " + rectangle(x, y, half, half) +
+                           ", floor: " + (random_.chance(0.3) ? "60" : "0") + ", ceiling: 150";
       if (random_.chance(0.4)) {
         const double from = random_.uniform(50, kLatest);
         volume += ", from: " + whole(from) + ", until: " + whole(from + random_.uniform(50, 300));

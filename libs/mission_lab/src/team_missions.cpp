@@ -58,8 +58,7 @@ class TeamDrawing {
   // From a sequence of its own, so that missions of old seeds stay what they were but for it.
   void draw_policy(Member& one) {
     if (!kinds_.radio || !policies_.chance(0.25)) return;
-    one.more += std::string(", contact_loss: {policy: ") +
-                (policies_.chance(0.5) ? "hold" : "return") + ", after: 15}";
+    one.more += contact_loss(policies_.chance(0.5) ? "hold" : "return", 15);
   }
 
   void draw_task() {
