@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "device_name.hpp"
 #include "evidence.hpp"
 #include "skein/foundation/contract.hpp"
 
@@ -58,7 +59,7 @@ std::vector<std::size_t> BeliefMap::handle(const world::Perception& heard) {
   });
   const world::SensorEvidence* evidence = evidence_of(config_, look);
   if (evidence == nullptr || !is_sane(look)) return {};
-  Device& device = devices_[look.uav + "/" + look.device];
+  Device& device = devices_[device_of(look)];
   if (device.last && look.at - *device.last < apart(config_)) return {};
   device.last = look.at;
   device.evidence.resize(cells_.size());

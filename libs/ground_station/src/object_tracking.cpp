@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "device_name.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/world/sensor_model.hpp"
 
@@ -31,8 +32,6 @@ double variance_of(const world::Detection& detection) {
 double distance(const world::Vector3& a, const world::Vector3& b) {
   return (a - b).head<2>().norm();
 }
-
-std::string device_of(const world::Perception& look) { return look.uav + "/" + look.device; }
 
 /// The detection of its kind that is nearest to `place`, of those within `reach` of it.
 template <class Reach>

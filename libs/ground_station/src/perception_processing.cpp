@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "device_name.hpp"
 #include "evidence.hpp"
 #include "skein/foundation/contract.hpp"
 
@@ -148,7 +149,7 @@ bool PerceptionProcessing::is_too_close(Tally& tally, MissionTime at) const {
 
 void PerceptionProcessing::count(Candidate& candidate, const world::Perception& look,
                                  const SensorEvidence& device, const world::Detection* sighting) {
-  Tally& tally = candidate.tallies[look.uav + "/" + look.device];
+  Tally& tally = candidate.tallies[device_of(look)];
   const bool for_fire = sighting != nullptr && speaks_for_fire(device, sighting->kind);
   if (for_fire) candidate.alarm.last_seen = std::max(candidate.alarm.last_seen, look.at);
   if (tally.muted) return;
