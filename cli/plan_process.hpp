@@ -8,8 +8,8 @@ struct PlanOptions;
 
 namespace skein::cli {
 
-/// Plans; without a limit of memory in the options, up to three quarters of what the process may
-/// have. Returns the exit code.
+/// Plans; without a limit of memory in the options, up to three quarters of what is available, or
+/// of what the process may have. Returns the exit code.
 int plan_here(const plan_tool::PlanOptions& options);
 
 }  // namespace skein::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A joint task and its partners: how long they are waited for, and who leaves or is lost.
 #include <algorithm>
-#include <cmath>
 
 #include "interaction/interaction.hpp"
 #include "interaction/joint_task.hpp"
