@@ -32,6 +32,7 @@ class TeamMember::Core {
   bool holds_token() const { return role_ == Role::kHolder; }
   const Ledger& ledger() const { return *disk_.ledger; }
   bool has_ended(const Claim& claim) const { return own_.has_ended(claim); }
+  bool majority(const std::set<MemberNumber>& members) const;
 
  private:
   enum class Role { kFollower, kCandidate, kHolder };
@@ -47,6 +48,9 @@ class TeamMember::Core {
   struct Telling {
     std::uint64_t revision = 0;
     Repeats again;
+
+    /// Whether it is told in this beat.
+    bool is_due(MissionTime now, Duration beat);
   };
 
   // token.cpp
@@ -62,10 +66,8 @@ class TeamMember::Core {
   void stand(bool trial);
   void hold();
   void beat();
-  bool is_to_be_told(MemberNumber member);
   void commit();
   void let_go_of_missions();
-  bool majority(const std::set<MemberNumber>& members) const;
   std::set<MemberNumber> heard_since(MissionTime since) const;
   std::vector<MemberNumber> others() const;
 

@@ -15,6 +15,9 @@ TeamEffects TeamMember::handle(const TeamInput& input, MissionTime now) {
 }
 std::optional<MissionTime> TeamMember::next_wakeup() const { return core_->next_wakeup(); }
 bool TeamMember::holds_token() const { return core_->holds_token(); }
+bool TeamMember::are_most(const std::set<MemberNumber>& members) const {
+  return core_->majority(members);
+}
 bool TeamMember::has_ended(const Claim& claim) const { return core_->has_ended(claim); }
 const Ledger& TeamMember::ledger() const { return core_->ledger(); }
 

@@ -180,25 +180,21 @@ void TeamMember::Core::hold() {
 void TeamMember::Core::beat() {
   beat_at_ = now_ + setup_.limits.beat;
   for (const MemberNumber member : others()) {
-    const auto ledger = is_to_be_told(member) ? disk_.ledger : nullptr;
-    tell(member, Beat{disk_.term, committed_, ledger});
+    const auto known = known_.find(member);
+    const bool has_it = known != known_.end() && known->second.last == ledger().revision;
+    const bool is_told = !has_it && told_[member].is_due(now_, setup_.limits.beat);
+    if (is_told) told_[member].revision = ledger().revision;
+    tell(member, Beat{disk_.term, committed_, is_told ? disk_.ledger : nullptr});
   }
 }
 
 /// Whoever does not answer for longer than a beat is told the ledger ever more rarely: perhaps its
 /// channel carries no more, and would be full of ledgers that come too late.
-bool TeamMember::Core::is_to_be_told(MemberNumber member) {
-  const auto known = known_.find(member);
-  if (known != known_.end() && known->second.last == ledger().revision) return false;
+bool TeamMember::Core::Telling::is_due(MissionTime now, Duration beat) {
   constexpr int kDoublings = 3;
-  Telling& telling = told_[member];
-  const Duration beat = setup_.limits.beat;
-  if (telling.again.pause > beat && !telling.again.is_due(now_)) return false;
-  if (telling.again.is_due(now_)) {
-    telling.again.repeated(now_, doubled(beat, kDoublings, Duration::max()));
-    telling.again.pause = std::max(telling.again.pause, beat);
-  }
-  telling.revision = ledger().revision;
+  if (!again.is_due(now)) return again.pause <= beat;
+  again.repeated(now, doubled(beat, kDoublings, Duration::max()));
+  again.pause = std::max(again.pause, beat);
   return true;
 }
 

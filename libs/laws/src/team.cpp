@@ -96,10 +96,12 @@ bool still_owned(const TeamTask& task, const TeamWork& work, double at) {
 /// Without work before one goes home, and for what is decided and begun meanwhile [s].
 constexpr double kRest = 10, kBegun = 40;
 
-// The last instant at which it heard so many of the others that they and it were the most.
+// The last instant at which it heard so many of the others that they and it were the most. Who is
+// declared lost does not count.
 double last_with_most(const History& history, const std::string& uav) {
   std::set<std::string> nodes{"ground"};
-  for (const auto& [name, it] : history.uavs) nodes.insert(name);
+  for (const auto& [name, it] : history.uavs)
+    if (name == uav || !history.lost.contains(name)) nodes.insert(name);
   std::vector<double> heard;
   for (const std::string& other : nodes)
     if (other != uav) heard.push_back(history.joint.last_reached(other, uav, nodes, history.end));

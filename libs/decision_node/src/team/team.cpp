@@ -44,6 +44,11 @@ std::optional<mission::TaskDates> dates_of(const mission::PlanReport& report,
   return last;
 }
 
+bool is_to_be_done_by(auction::MemberNumber uav, const auction::LedgerEntry& entry) {
+  const bool open = entry.stage == Stage::kOwned || entry.stage == Stage::kGranted;
+  return open && std::ranges::count(entry.owners, uav) > 0;
+}
+
 }  // namespace
 
 Team::Team(Core& core) : core_(core) {
@@ -76,21 +81,19 @@ void Team::contact(const Contact& contact) {
   } else {
     out_of_reach_.insert(contact.peer);
   }
-  if (is_in_reach_of_most()) {
+  if (member_) see_whether_apart();
+}
+
+void Team::see_whether_apart() {
+  const team::Roster& roster = core_.config().team->roster;
+  std::set<auction::MemberNumber> reached;
+  for (const std::string& name : roster.names())
+    if (!out_of_reach_.contains(name)) reached.insert(*roster.number_of(name));
+  if (member_->are_most(reached)) {
     apart_since_.reset();
   } else if (!apart_since_) {
     apart_since_ = core_.bus().now();
   }
-}
-
-// Nothing is sold or granted but by a majority.
-bool Team::is_in_reach_of_most() const {
-  if (!member_) return true;
-  const auto& voters = core_.config().team->roster.names();
-  const auto out = std::count_if(voters.begin(), voters.end(), [this](const std::string& one) {
-    return out_of_reach_.contains(one);
-  });
-  return 2 * static_cast<std::size_t>(out) < voters.size();
 }
 
 void Team::time_passes() {
@@ -102,8 +105,8 @@ std::optional<MissionTime> Team::next_wakeup() const {
   const auto home = idle_since_ ? std::optional(*idle_since_ + kRest) : std::nullopt;
   const auto left = left_since_ ? std::optional(*left_since_ + kRest) : std::nullopt;
   const auto late = job_ && bids_ && !job_->handed_over ? lateness_.due() : std::nullopt;
-  const auto out = telemetry_.state.airborne && !idle_since_ && may_be_given_work() ? left_out_at()
-                                                                                    : std::nullopt;
+  const bool hopes = apart_since_ && telemetry_.state.airborne && !idle_since_;
+  const auto out = hopes && may_be_given_work() ? left_out_at() : std::nullopt;
   return earliest(member_->next_wakeup(), earliest(earliest(late, out), earliest(home, left)));
 }
 
@@ -192,10 +195,7 @@ void Team::put_back_what_waits(const std::string& why) {
   const auto self = core_.config().team->roster.number_of(core_.config().uav);
   std::vector<auction::TaskNumber> waiting;
   for (const auto& [task, entry] : member_->ledger().entries) {
-    const bool open = entry.stage == Stage::kOwned || entry.stage == Stage::kGranted;
-    const bool mine =
-        std::find(entry.owners.begin(), entry.owners.end(), self) != entry.owners.end();
-    if (!open || !mine || member_->has_ended({task, entry.sale})) continue;
+    if (!is_to_be_done_by(*self, entry) || member_->has_ended({task, entry.sale})) continue;
     if (!job_ || job_->claim.task != task) waiting.push_back(task);
   }
   for (const auction::TaskNumber task : waiting) give(auction::TaskPutBack{task, why});
@@ -212,18 +212,18 @@ std::optional<MissionTime> Team::left_out_at() const {
   return apart_since_ ? std::optional(*apart_since_ + core_.config().contact_after) : std::nullopt;
 }
 
+bool Team::is_left_out() const {
+  const auto at = left_out_at();
+  return at && core_.bus().now() >= *at;
+}
+
 // By what it knows of the book, for as long as there may be a word of it.
 bool Team::may_be_given_work() const {
-  const auto out = left_out_at();
-  if (out && core_.bus().now() >= *out) return false;
+  if (is_left_out()) return false;
   const auto self = core_.config().team->roster.number_of(core_.config().uav);
   const auto& entries = member_->ledger().entries;
   return std::any_of(entries.begin(), entries.end(), [&](const auto& each) {
-    const auction::LedgerEntry& entry = each.second;
-    const auto& owners = entry.owners;
-    const bool open = entry.stage == Stage::kOwned || entry.stage == Stage::kGranted;
-    return entry.stage == Stage::kForSale ||
-           (open && std::find(owners.begin(), owners.end(), self) != owners.end());
+    return each.second.stage == Stage::kForSale || is_to_be_done_by(*self, each.second);
   });
 }
 
@@ -234,12 +234,10 @@ void Team::go_home() {
   mission::UnitMission mission;
   mission.id = next_mission();
   mission.tasks.push_back({mission::GoalId(mission.id.value()), land, {}, {}});
-  const auto out = left_out_at();
-  const bool left_out = out && core_.bus().now() >= *out;
   mission.asked_by =
-      core_.config().uav + (left_out ? " itself: most of the team are out of reach since " +
-                                           to_text(*apart_since_) + " s"
-                                     : " itself: the team has nothing for it");
+      core_.config().uav + (is_left_out() ? " itself: most of the team are out of reach since " +
+                                                to_text(*apart_since_) + " s"
+                                          : " itself: the team has nothing for it");
   core_.deliberation().take_for_team(mission);
 }
 
@@ -250,6 +248,7 @@ void Team::give(auction::TeamInput input) {
     for (const auction::TeamEffect& effect : member_->handle(input, core_.bus().now())) {
       std::visit([this](const auto& one) { carry_out(one); }, effect);
     }
+    see_whether_apart();  // somebody may have been declared lost
   });
 }
 

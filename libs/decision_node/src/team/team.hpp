@@ -75,9 +75,11 @@ class Team final : public Component {
   void look_at_what_was_handed_over();
   void go_home();
   bool is_idle() const;
-  bool is_in_reach_of_most() const;
+  /// Notes since when it reaches too few.
+  void see_whether_apart();
   /// From when on it counts on no more work of the team, of which it reaches too few.
   std::optional<MissionTime> left_out_at() const;
+  bool is_left_out() const;
   bool may_be_given_work() const;
   Vantage vantage();
   mission::HighLevelTask as_bid_for(const mission::HighLevelTask& task,

@@ -46,7 +46,8 @@ Config config(int degree) {
 
 class Marvin {
  public:
-  explicit Marvin(int degree) : node_(config(degree)) {
+  explicit Marvin(int degree) : Marvin(config(degree)) {}
+  explicit Marvin(Config config) : node_(std::move(config)) {
     give(Started{});
     world::Telemetry telemetry;
     telemetry.uav = "marvin";
@@ -223,10 +224,11 @@ TEST(Team, BackAtDegreeFiveItBidsAgain) {
 // Marvin in the air at degree 5, with a book that says that task 11 is not done.
 class Aloft : public Marvin {
  public:
-  explicit Aloft(Stage stage) : Marvin(5) {
+  explicit Aloft(Stage stage) : Aloft(config(5), book(stage)) {}
+  Aloft(Config config, std::shared_ptr<const auction::Ledger> book) : Marvin(std::move(config)) {
     for (const std::string peer : {"heliv", "ground"}) reach(peer, true);
     give(testing::flying(true));
-    hear(book(stage));
+    hear(std::move(book));
   }
   void reach(const std::string& peer, bool reachable) {
     give(Contact{peer, peer == "ground", reachable});
@@ -268,6 +270,18 @@ TEST(Team, WhoReachesAMajorityWaitsForItsWork) {
 
   EXPECT_FALSE(back_in_time.comes_down_within(3 * kPolicyAndRest));
   EXPECT_FALSE(cut_from_one.comes_down_within(3 * kPolicyAndRest));
+}
+
+TEST(Team, WhoReachesMostOfThoseThatAreNotDeclaredLostWaitsForItsWork) {
+  Config of_five = config(5);
+  of_five.team->roster = team::Roster({"marvin", "heliv", "karma", "ressac", "ground"});
+  const auto without_two = book(Stage::kForSale);
+  without_two->lost = {auction::MemberNumber(2), auction::MemberNumber(3)};
+  Aloft marvin(of_five, without_two);
+
+  for (const std::string peer : {"heliv", "karma", "ressac"}) marvin.reach(peer, false);
+
+  EXPECT_FALSE(marvin.comes_down_within(3 * kPolicyAndRest));
 }
 
 TEST(Team, AStrangerIsNotHeard) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "skein/auction/auctioneer.hpp"
 #include "skein/auction/ledger.hpp"
@@ -121,6 +122,9 @@ class TeamMember {
   TeamEffects handle(const TeamInput& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
   bool holds_token() const;
+  /// Whether these members and this one are most of those that are not declared lost: nothing is
+  /// sold or granted without so many.
+  bool are_most(const std::set<MemberNumber>& members) const;
   /// Whether this member's part of the claim is over: done, or put back.
   bool has_ended(const Claim& claim) const;
   /// The last ledger received; its newest revision may not be committed yet.
