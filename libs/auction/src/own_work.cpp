@@ -49,9 +49,17 @@ std::vector<Claim> OwnWork::next_of_route(std::uint32_t most) const {
   return wants;
 }
 
+// While it was silent, say: what it is at is what it was sold again.
+std::uint64_t OwnWork::sale_to_itself_alone(TaskNumber task) const {
+  const auto found = ledger().entries.find(task);
+  if (found == ledger().entries.end()) return 0;
+  const LedgerEntry& entry = found->second;
+  return entry.owners.size() == 1 && mine(entry) ? entry.sale : 0;
+}
+
 bool OwnWork::done(TaskNumber task) {
   if (!running_ || running_->task != task) return false;
-  disk_.done[task] = running_->sale;
+  disk_.done[task] = std::max(running_->sale, sale_to_itself_alone(task));
   running_.reset();
   return true;
 }

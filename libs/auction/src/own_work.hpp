@@ -24,7 +24,8 @@ class OwnWork {
   /// separate parts of the team may wait for each other.
   std::vector<Claim> wants(MissionTime now) const;
 
-  /// The running task is done. False: `task` is not running.
+  /// The running task is done, also under a later sale to this member alone. False: `task` is not
+  /// running.
   [[nodiscard]] bool done(TaskNumber task);
   /// Gives a task of this member back for sale. False: the member does not own it.
   [[nodiscard]] bool put_back(const TaskPutBack& back);
@@ -38,6 +39,7 @@ class OwnWork {
  private:
   bool mine(const LedgerEntry& entry) const;
   bool ended(const LedgerEntry& entry) const;
+  std::uint64_t sale_to_itself_alone(TaskNumber task) const;
   const Ledger& ledger() const { return *disk_.ledger; }
   std::vector<Claim> next_of_route(std::uint32_t most) const;
 

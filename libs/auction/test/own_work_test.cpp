@@ -115,6 +115,32 @@ TEST_F(OwnWorkTest, WhatIsDoneIsDoneUnderItsSaleAndEarlierOnes) {
   EXPECT_EQ(own.begin_next(1, at(1)), std::nullopt);
 }
 
+// Found by random missions (--anything 98): it was silent, its repeatable task was sold to another
+// and traded back to it, and it began it anew when it had done it.
+TEST_F(OwnWorkTest, WhatItIsAtIsDoneUnderALaterSaleToItselfToo) {
+  knows(a_ledger().has(a_task(2), Stage::kGranted, {1}));
+  own.begin_next(1, at(0));
+  knows(a_ledger().has(a_task(2), Stage::kGranted, {1}).sold_again(2));
+
+  EXPECT_TRUE(own.done(TaskNumber(2)));
+
+  EXPECT_TRUE(own.has_ended({TaskNumber(2), 202}));
+  EXPECT_EQ(own.begin_next(9, at(1)), std::nullopt);
+}
+
+TEST_F(OwnWorkTest, WhatIsSoldToOthersMeanwhileIsNotDoneForThem) {
+  for (const auto& owners : {Owners{2}, Owners{1, 2}}) {
+    knows(a_ledger().has(a_task(2), Stage::kGranted, {1}));
+    own.begin_next(1, at(0));
+    knows(a_ledger().has(a_task(2), Stage::kGranted, owners).sold_again(2));
+
+    EXPECT_TRUE(own.done(TaskNumber(2)));
+
+    EXPECT_FALSE(own.has_ended({TaskNumber(2), 202}));
+    disk = {};
+  }
+}
+
 TEST_F(OwnWorkTest, OnlyWhatRunsCanBeDone) {
   knows(a_ledger().has(a_task(2), Stage::kGranted, {1}).has(a_task(3), Stage::kGranted, {1}));
   EXPECT_FALSE(own.done(TaskNumber(2)));

@@ -26,6 +26,11 @@ class LedgerBuilder {
     }
     return *this;
   }
+  /// Under a sale that is later by 100, to those who have it.
+  LedgerBuilder& sold_again(std::uint32_t task) {
+    ledger_.entries.at(TaskNumber(task)).sale += 100;
+    return *this;
+  }
   LedgerBuilder& order(std::uint32_t first, std::uint32_t then) {
     return ledger_.precedences.push_back({TaskNumber(first), TaskNumber(then)}), *this;
   }
