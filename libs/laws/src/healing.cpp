@@ -24,6 +24,8 @@ using journal::Written;
 
 /// So often may a healthy radio break a law.
 constexpr double kHardlyEver = 1e-6;
+/// Beyond three heartbeats, until the silence of a cut is noticed.
+constexpr Duration kSilenceIsSeen = Duration::milliseconds(2'000);
 /// Who is told that a link is up has what waited by then.
 constexpr Duration kTold = Duration::milliseconds(1'000);
 
@@ -221,6 +223,8 @@ HealingLimits healing_limits(const scenario::Scenario& scenario) {
   if (scenario.variations.latency)
     latency = std::max(latency, Duration::seconds(scenario.variations.latency->high));
   HealingLimits limits;
+  const Duration beats = radio.heartbeat + radio.heartbeat + radio.heartbeat;
+  limits.noticed = std::max(limits.noticed, beats + kSilenceIsSeen);
   if (loss == 0 && radio.model.capacity == 0 && !radio.silent) {
     limits.healing = kTold + latency + latency;
     return limits;

@@ -177,9 +177,12 @@ TEST(HealingLimits, FollowFromTheRadio) {
   scenario.radio.silent = false;
   scenario.radio.model.capacity = 9600;
   EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(3.2)) << "what waited takes time";
+  EXPECT_EQ(healing_limits(scenario).noticed, Duration::seconds(5));
 
   scenario.radio.heartbeat = Duration::seconds(2);
   EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(6.2));
+  EXPECT_EQ(healing_limits(scenario).noticed, Duration::seconds(8))
+      << "nobody misses heartbeats before they are due";
 
   scenario.radio.heartbeat = Duration::seconds(1);
   scenario.radio.model.loss = 0.01;

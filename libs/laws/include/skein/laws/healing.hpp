@@ -15,7 +15,7 @@ struct HealingLimits {
   /// Time after both directions are up again until both nodes know it and have received waiting
   /// events.
   Duration healing = Duration::seconds(3);
-  /// Cuts shorter than this need not be noticed.
+  /// Cuts shorter than this need not be noticed: three heartbeats and two seconds.
   Duration noticed = Duration::seconds(5);
   /// Time after the last change of any link until routes past relays are final and waiting events
   /// have been received.
