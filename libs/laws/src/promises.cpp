@@ -172,12 +172,14 @@ bool is_the_grounds(const History& history, const Uav& uav, const Goal& goal) {
   });
 }
 
-// An instant's occupation: a task that is under way and belongs to a goal, or moves it home.
+// An instant's occupation: a task that is under way and belongs to a goal, or moves it home. A
+// safe wait is none, nor is a synchronisation of its operator, which leaves the vehicle free.
 bool occupied(const Uav& uav, double at) {
   return std::any_of(uav.executions.begin(), uav.executions.end(), [&](const auto& one) {
     const Execution& task = one.second;
-    const bool safe_wait = task.type == "wait" && uav.goal_of_task(one.first) == 0;
-    return task.under_way(at) && !safe_wait && !rides_along(task);
+    const bool waits = task.type == "wait" || task.type == "synchronise";
+    const bool is_idle = waits && uav.goal_of_task(one.first) == 0;
+    return task.under_way(at) && !is_idle && !rides_along(task);
   });
 }
 

@@ -471,5 +471,21 @@ TEST(Idle, WhoWaitsInTheAirWithOpenGoalsNamesOne) {
   EXPECT_THAT(idles("goal 7012 cannot begin yet: no air is free"), SizeIs(1)) << "another goal";
 }
 
+// Found by random missions (--hands 700360): the UAV named the operator's task that its goal waited
+// for, and was taken to become idle when a synchronisation beside it was over.
+TEST(Idle, AnOperatorsSynchronisationLeavesTheVehicleFree) {
+  const auto idles = [](const std::string& word) {
+    Story story;
+    story.flies("marvin", 0, 100, kOver, kOver);
+    story.does("marvin", {2, "synchronise", 0, 0, 60, "aborted"});
+    story.goal("marvin", 701, "perceive P1 60", "received", 1);
+    if (!word.empty()) story.says("marvin", 6, word);
+    return story.broken("idle");
+  };
+
+  EXPECT_THAT(idles(""), SizeIs(1));
+  EXPECT_THAT(idles("goal 701 (perceive P1 60) waits for task 3 (goto)"), IsEmpty());
+}
+
 }  // namespace
 }  // namespace skein::laws::testing
