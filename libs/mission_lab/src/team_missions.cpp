@@ -17,6 +17,7 @@ class TeamDrawing {
       : random_(seed, "random team mission"),
         policies_(seed, "contact-loss policies of a team"),
         delays_(seed, "delays of a team"),
+        lasting_(seed, "lasting cuts of a team"),
         kinds_(kinds) {
     mission_.seed = seed;
   }
@@ -29,6 +30,7 @@ class TeamDrawing {
     draw_uavs();
     for (std::size_t n = 2 + random_.below(4); n > 0; --n) draw_task();
     if (kinds_.radio) mission_.cuts = draw_cuts(random_, mission_.team, 4, kLatest);
+    if (kinds_.radio && lasting_.chance(0.25)) draw_lasting_cuts();
     if (kinds_.degrees && random_.chance(0.4)) draw_degree();
     if (kinds_.faults && random_.chance(0.3)) {
       mission_.faults.push_back(draw_refusals(random_, any().name, kLatest));
@@ -59,6 +61,19 @@ class TeamDrawing {
   void draw_policy(Member& one) {
     if (!kinds_.radio || !policies_.chance(0.25)) return;
     one.more += contact_loss(policies_.chance(0.5) ? "hold" : "return", 15);
+  }
+
+  // One is cut off from another, or from everybody, to the end. From a sequence of its own.
+  void draw_lasting_cuts() {
+    const std::string one = mission_.team[lasting_.below(mission_.team.size())].name;
+    std::vector<std::string> others{"ground"};
+    for (const Member& member : mission_.team)
+      if (member.name != one) others.push_back(member.name);
+    if (lasting_.chance(0.5)) others = {others[lasting_.below(others.size())]};
+    const std::string times =
+        ", from: " + whole(lasting_.uniform(10, kLatest)) + ", until: " + whole(mission_.limit);
+    for (const std::string& other : others)
+      mission_.cuts.push_back("{between: [" + one + ", " + other + "]" + times + "}");
   }
 
   void draw_task() {
@@ -120,6 +135,7 @@ class TeamDrawing {
   Random random_;
   Random policies_;
   Random delays_;
+  Random lasting_;
   Kinds kinds_;
   Mission mission_;
 };
