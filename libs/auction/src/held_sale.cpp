@@ -64,10 +64,10 @@ void HeldSale::book(Ledger& next) const {
     }
     for (const TaskNumber task : route.tasks) owners[task].push_back(route.member);
   }
-  for (auto& [number, entry] : next.entries) {
+  for (auto& [task, entry] : next.entries) {
     if (entry.revision > revision) continue;
-    const auto sold = owners.find(number);
-    const auto told = why.find(number);
+    const auto sold = owners.find(task);
+    const auto told = why.find(task);
     const bool open = entry.stage == Stage::kForSale || entry.stage == Stage::kOwned;
     if (!open) continue;
     if (sold == owners.end()) {
@@ -78,8 +78,7 @@ void HeldSale::book(Ledger& next) const {
       if (entry.stage == Stage::kOwned && entry.owners == sold->second) continue;
       entry.stage = Stage::kOwned;
       entry.owners = sold->second;
-      // Of this term, so that what an older holder sold without a majority is another sale.
-      entry.sale = std::max(entry.sale + 1, next.term << kSalesOfATerm);
+      entry.sale = number.value();
     }
     entry.finished.clear();
     entry.stopped.clear();

@@ -23,13 +23,14 @@ struct MemberNames {
 
 struct HeldSale {
   Auctioneer auctioneer;
+  SaleNumber number;                        ///< greater than of all sales before it
   std::uint64_t revision;                   ///< of the ledger when the sale began
   std::map<TaskNumber, std::string> why{};  ///< reason of each task's result, for people
 
   /// Records in `why` what the effect says about tasks.
   void explain(const SaleEffect& effect, const MemberNames& names);
-  /// Writes the results of the sale into the next ledger. Entries that changed during the sale keep
-  /// their change and may be sold anew.
+  /// Writes the results of the sale into the next ledger, under its number. Entries that changed
+  /// during the sale keep their change and may be sold anew.
   void book(Ledger& next) const;
 };
 

@@ -99,7 +99,9 @@ void TeamMember::Core::sell() {
     if (entry.stage == Stage::kUnsold) again.push_back(task);
   }
   for (const TaskNumber task : again) put_up(change(task), "called again");
-  SaleSetup setup{SaleNumber((disk_.term << kSalesOfATerm) + ++sales_),
+  // Of this term, so that what an older holder sold without a majority is another sale.
+  const SaleNumber number((disk_.term << kSalesOfATerm) + ++sales_);
+  SaleSetup setup{number,
                   std::make_shared<const Catalogue>(sound_lot()),
                   {},
                   setup_.limits.aim,
@@ -108,7 +110,7 @@ void TeamMember::Core::sell() {
   for (const MemberNumber member : here) setup.holdings.push_back(holding(ledger(), here, member));
   took_part_ = here;
   retry_at_ = now_ + Duration::nanoseconds(kRetryLeases * setup_.limits.lease.count());
-  sale_.emplace(HeldSale{Auctioneer(std::move(setup)), ledger().revision});
+  sale_.emplace(HeldSale{Auctioneer(std::move(setup)), number, ledger().revision});
   take(sale_->auctioneer.start(now_));
 }
 

@@ -12,6 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
+const SaleNumber kNumber((3ULL << kSalesOfATerm) + 5);
 const MemberNames kNames{{{MemberNumber(0), "marvin"}, {MemberNumber(1), "karma"}}};
 
 // A sale of the lot that two members held to its end: the first begins at 0, the second at 100 m.
@@ -19,7 +20,7 @@ struct HeldSaleTest : ::testing::Test {
   HeldSale sold(std::vector<Task> tasks, std::uint64_t begun_at = 1000) {
     RoadSale team({std::move(tasks), {}}, {0, 100});
     team.hold();
-    return {std::move(*team.sale), begun_at};
+    return {std::move(*team.sale), kNumber, begun_at};
   }
   std::string why(const SaleEffect& effect) {
     HeldSale sale = sold({a_task(1)});
@@ -80,13 +81,10 @@ TEST_F(HeldSaleTest, BooksOwnersAndRoutes) {
   EXPECT_EQ(next.entries.at(TaskNumber(1)).revision, next.revision);
 }
 
-TEST_F(HeldSaleTest, ANewSaleOfATaskHasAGreaterNumberInAndAfterItsTerm) {
-  const HeldSale sale = sold({a_task(1)});
-  Ledger ledger = a_ledger().has(a_task(1), Stage::kForSale).term(3);
-  EXPECT_EQ(booked(sale, ledger).entries.at(TaskNumber(1)).sale, 3ULL << 24);
+TEST_F(HeldSaleTest, WhatItSellsIsOwnedUnderItsNumber) {
+  const Ledger next = booked(sold({a_task(1)}), a_ledger().has(a_task(1), Stage::kForSale));
 
-  ledger.entries.at(TaskNumber(1)).sale = (3ULL << 24) + 5;
-  EXPECT_EQ(booked(sale, ledger).entries.at(TaskNumber(1)).sale, (3ULL << 24) + 6);
+  EXPECT_EQ(next.entries.at(TaskNumber(1)).sale, kNumber.value());
 }
 
 TEST_F(HeldSaleTest, WhoKeepsItsTaskKeepsItsClaim) {

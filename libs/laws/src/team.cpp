@@ -4,6 +4,7 @@
 #include <set>
 
 #include "checks.hpp"
+#include "scripted.hpp"
 
 namespace skein::laws {
 
@@ -122,13 +123,36 @@ double free_since(const History& history, const Uav& uav) {
   return since;
 }
 
+bool is_repeatable(const History& history, std::int64_t number) {
+  bool repeatable = false;
+  for_scripted<ground_station::SendGlobalMission>(*history.scenario, [&](const auto& sent) {
+    for (const team::GlobalTask& one : sent.mission.tasks)
+      if (static_cast<std::int64_t>(one.task.id.value()) == number) repeatable |= one.repeatable;
+  });
+  return repeatable;
+}
+
+// A repeatable task is sold again when who has it is silent for long, whether it is at it or not:
+// two may do it then, but nobody does it twice.
+bool may_be_at_it_both(const History& history, std::int64_t number, const TeamWork& one,
+                       const TeamWork& other) {
+  if (one.uav == other.uav || !is_repeatable(history, number)) return false;
+  const TeamWork& first = one.sale < other.sale ? one : other;
+  const auto& standings = history.team.tasks.at(number).standings;
+  return std::any_of(standings.begin(), standings.end(), [&](const TeamStanding& standing) {
+    return standing.sale == first.sale && standing.stage == "for-sale" &&
+           standing.why == first.uav + " was silent beyond its lease";
+  });
+}
+
 bool says_to_whom_for_what(const std::string& why) {
   return why.find(" to ") != std::string::npos && why.find(" for ") != std::string::npos;
 }
 
 }  // namespace
 
-// Under one sale its owners begin it, each once; under another, nobody before those are over.
+// Under one sale its owners begin it, each once; under another, nobody before those are over, but
+// what is repeatable and was sold again since one was silent.
 std::vector<Violation> team_tasks_begun_twice(const History& history) {
   std::vector<Violation> result;
   for (const auto& [number, task] : history.team.tasks) {
@@ -138,6 +162,7 @@ std::vector<Violation> team_tasks_begun_twice(const History& history) {
       for (std::size_t j = 0; j < i; ++j) {
         const TeamWork& earlier = task.works[j];
         if (earlier.sale == later.sale && earlier.uav != later.uav) continue;
+        if (may_be_at_it_both(history, number, earlier, later)) continue;
         const bool again = earlier.sale == later.sale && !history.was_killed(later.uav);
         if (again || !ended_before(history, earlier, later.begun)) {
           result.push_back({"", later.begun, later.uav, 0,
@@ -234,6 +259,24 @@ std::vector<Violation> left_aloft(const History& history) {
     result.push_back({"", history.end, name, 0,
                       "stays in the air without a goal, out of reach of most of its team since " +
                           figure(apart) + " s"});
+  }
+  return result;
+}
+
+// A sale has one number, whoever tells of it: of what is sold somebody was asked under it.
+std::vector<Violation> team_sales_nobody_bid_in(const History& history) {
+  std::vector<Violation> result;
+  for (const auto& [number, task] : history.team.tasks) {
+    const TeamStanding* before = nullptr;
+    for (const TeamStanding& one : task.standings) {
+      const bool sold = before != nullptr && before->stage == "for-sale" &&
+                        (one.stage == "owned" || one.stage == "granted");
+      before = &one;
+      if (!sold || task.bids.contains(one.sale)) continue;
+      result.push_back({"", one.at, one.owners, 0,
+                        named(number) + " is owned under sale " + std::to_string(one.sale) +
+                            ", in which nobody was asked for it"});
+    }
   }
   return result;
 }

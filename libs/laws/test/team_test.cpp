@@ -61,6 +61,41 @@ TEST(TeamOnce, OwnersOfAJointTaskBeginItTogether) {
   EXPECT_THAT(story.broken("team-once"), IsEmpty());
 }
 
+// Found by random missions (--anything --deaths 1013): it is told its grant late.
+TEST(TeamOnce, TwoMayBeAtWhatIsRepeatableAndWasSoldAgainForSilence) {
+  const auto begun_twice = [](const std::string& repeatable, const std::string& why,
+                              const std::string& then) {
+    Story story("team: {members: [marvin, heliv]}\n", R"(    - step: share
+      when: {time: 1}
+      do: [{global_mission: {id: 1, tasks: [{id: 11, task: [general-gotoxyz, P1])" +
+                                                          repeatable + "}]}}]\n");
+    story.owner(20, 11, "owned", 1, "marvin", "sold to marvin for 12 s");
+    story.team("marvin", 25, 11, 1, "begun").owner(90, 11, "for-sale", 1, "", why);
+    story.owner(95, 11, "granted", 2, then, "sold to " + then + " for 12 s");
+    story.team(then, 96, 11, 2, "begun");
+    return story.broken("team-once");
+  };
+  const std::string silent = "marvin was silent beyond its lease";
+  EXPECT_THAT(begun_twice(", repeatable: true", silent, "heliv"), IsEmpty());
+  EXPECT_THAT(begun_twice("", silent, "heliv"), SizeIs(1));
+  EXPECT_THAT(begun_twice(", repeatable: true", "put back by marvin", "heliv"), SizeIs(1));
+  EXPECT_THAT(begun_twice(", repeatable: true", silent, "marvin"), SizeIs(1)) << "by the same one";
+}
+
+TEST(TeamAsked, WhatIsSoldIsOwnedUnderTheSaleInWhichItWasBidFor) {
+  const auto sold_under = [](int sale) {
+    Story story;
+    story.owner(20, 11, "for-sale", 0, "", "");
+    story.line(journal::record_of(MissionTime::seconds(21), "marvin",
+                                  journal::lines::Bid{.uav = "marvin", .task = 11, .sale = 4}));
+    story.owner(22, 11, "owned", sale, "marvin", "sold to marvin for 12 s");
+    story.owner(23, 11, "granted", sale, "marvin", "sold to marvin for 12 s");
+    return story.broken("team-asked");
+  };
+  EXPECT_THAT(sold_under(4), IsEmpty());
+  EXPECT_THAT(sold_under(3), ElementsAre(HasSubstr("sale 3, in which nobody was asked")));
+}
+
 TEST(TeamOwned, ATaskForSaleForLongWhileEverybodyIsThereIsForgotten) {
   Story story;
   story.degree("marvin", 0, 5).owner(20, 11, "for-sale", 0, "", "put back by heliv");

@@ -10,7 +10,8 @@ namespace skein::laws {
 
 bool TeamHistory::see(const journal::Record& record) {
   namespace lines = journal::lines;
-  return journal::hand_on<lines::TeamTask, lines::Owner, lines::GlobalMission>(record, *this);
+  return journal::hand_on<lines::TeamTask, lines::Owner, lines::Bid, lines::GlobalMission>(record,
+                                                                                     *this);
 }
 
 void TeamHistory::hear(const journal::lines::TeamTask& line, const journal::Written& when) {
@@ -39,6 +40,10 @@ void TeamHistory::hear(const journal::lines::Owner& line, const journal::Written
   tasks[static_cast<std::int64_t>(line.task)].standings.push_back(
       {when.at.to_seconds(), line.stage, line.owners, static_cast<std::int64_t>(line.sale),
        line.why});
+}
+
+void TeamHistory::hear(const journal::lines::Bid& line, const journal::Written&) {
+  tasks[static_cast<std::int64_t>(line.task)].bids.insert(static_cast<std::int64_t>(line.sale));
 }
 
 void TeamHistory::hear(const journal::lines::GlobalMission& line, const journal::Written& when) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 namespace skein::journal {
 struct Written;
 namespace lines {
+struct Bid;
 struct GlobalMission;
 struct Owner;
 struct TeamTask;
@@ -44,6 +46,7 @@ struct TeamStanding {
 struct TeamTask {
   std::vector<TeamWork> works;
   std::vector<TeamStanding> standings;
+  std::set<std::int64_t> bids;  ///< numbers of the sales in which a UAV told its bid, or why none
 };
 
 struct TeamHistory {
@@ -55,6 +58,7 @@ struct TeamHistory {
   bool see(const journal::Record& record);
   void hear(const journal::lines::TeamTask& line, const journal::Written& when);
   void hear(const journal::lines::Owner& line, const journal::Written& when);
+  void hear(const journal::lines::Bid& line, const journal::Written& when);
   void hear(const journal::lines::GlobalMission& line, const journal::Written& when);
 };
 
