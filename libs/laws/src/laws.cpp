@@ -14,8 +14,24 @@ std::vector<Violation> lines_unread(const History& history) {
   return result;
 }
 
-const std::vector<Law>& all_laws() {
-  static const std::vector<Law> kLaws{
+namespace {
+
+std::vector<Law> team_laws() {
+  return {
+      {"team-asked",
+       "what the team sells is owned under the number of a sale in which UAVs bid for it",
+       team_sales_nobody_bid_in},
+      {"team-once", "a task of the team is begun by its owners alone, and again if it is put back",
+       team_tasks_begun_twice},
+      {"team-owned", "a task of the team finds an owner once the network has healed",
+       team_tasks_without_owner},
+      {"team-explained", "who has a task of the team, and why, is said", team_sales_unexplained},
+      {"team-late", "who is late keeps nothing of the team that it has not begun", kept_while_late},
+      {"team-home", "who is out of reach of most and has nothing to do comes home", left_aloft}};
+}
+
+std::vector<Law> all_but_team_laws() {
+  return {
       {"lines", "every line that these laws read has what one of its kind must have", lines_unread},
       {"perceived", "a perception achieved looked from its place, for its time",
        perceptions_not_done},
@@ -42,16 +58,6 @@ const std::vector<Law>& all_laws() {
       {"joint-done", "a joint task achieved was truly done by its members", joint_tasks_not_done},
       {"places", "where a role sends a UAV its constraints hold, by truth",
        places_against_constraints},
-      {"team-asked",
-       "what the team sells is owned under the number of a sale in which UAVs bid for it",
-       team_sales_nobody_bid_in},
-      {"team-once", "a task of the team is begun by its owners alone, and again if it is put back",
-       team_tasks_begun_twice},
-      {"team-owned", "a task of the team finds an owner once the network has healed",
-       team_tasks_without_owner},
-      {"team-explained", "who has a task of the team, and why, is said", team_sales_unexplained},
-      {"team-late", "who is late keeps nothing of the team that it has not begun", kept_while_late},
-      {"team-home", "who is out of reach of most and has nothing to do comes home", left_aloft},
       {"one-motion", "one motion at a time, one use of a device", motions_at_once},
       {"held", "no motion begins under a task of another goal", motions_under_tasks},
       {"begins", "a motion that is given to the vehicle begins", motions_never_begun},
@@ -75,6 +81,16 @@ const std::vector<Law>& all_laws() {
       {"energy", "never below the reserve in the air, nor on a drive", energy_short},
       {"on-the-ground", "what keeps to the ground is on it, and on none that is too steep for it",
        off_its_ground}};
+}
+
+}  // namespace
+
+const std::vector<Law>& all_laws() {
+  static const std::vector<Law> kLaws = [] {
+    std::vector<Law> all = all_but_team_laws(), team = team_laws();
+    for (Law& law : team) all.push_back(std::move(law));
+    return all;
+  }();
   return kLaws;
 }
 
