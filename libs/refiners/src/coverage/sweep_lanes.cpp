@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace skein::refiners {
 namespace {
@@ -69,7 +70,9 @@ struct Slice {
   Edge left, right;
 };
 
-/// Cuts the region at the level of every corner: between two, its borders are straight.
+/// Sweeps upwards over the levels of all corners: between two, the borders are straight and in the
+/// same order. A slice lasts as long as its two edges stay neighbours, so that there are as many
+/// slices as corners, and not as many as corners times the edges at their levels.
 class Slicer {
  public:
   explicit Slicer(const Region& turned) {
@@ -83,29 +86,68 @@ class Slicer {
     }
     std::sort(levels_.begin(), levels_.end());
     levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
+    begun_.resize(edges_.size());
   }
 
   std::vector<Slice> slices() {
-    std::vector<Slice> found;
-    for (std::size_t i = 0; i + 1 < levels_.size(); ++i)
-      add_between(levels_[i], levels_[i + 1], found);
-    return found;
+    for (std::size_t i = 0; i + 1 < levels_.size(); ++i) {
+      take_edges(levels_[i], levels_[i + 1]);
+      pair_edges(levels_[i]);
+    }
+    for (const Across& left : across_) end_slice(left.edge, levels_.back());
+    return std::move(slices_);
   }
 
  private:
-  void add_between(double low, double high, std::vector<Slice>& found) {
-    while (next_ < edges_.size() && edges_[next_].low.y() <= low)
-      across_.push_back(edges_[next_++]);
-    std::erase_if(across_, [&](const Edge& edge) { return edge.high.y() <= low; });
+  /// An edge of `edges_`, and where it is between the present levels.
+  struct Across {
+    std::size_t edge;
+    double x;
+  };
+  /// The slice to the right of an edge.
+  struct Begun {
+    std::size_t right = kNone;
+    double low = 0;
+  };
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+  void take_edges(double low, double high) {
+    std::erase_if(across_, [&](const Across& one) {
+      const bool over = edges_[one.edge].high.y() <= low;
+      if (over) end_slice(one.edge, low);
+      return over;
+    });
+    while (next_ < edges_.size() && edges_[next_].low.y() <= low) across_.push_back({next_++, 0});
     const double middle = low + (high - low) / 2;
-    std::sort(across_.begin(), across_.end(),
-              [&](const Edge& a, const Edge& b) { return a.x_at(middle) < b.x_at(middle); });
-    for (std::size_t i = 0; i + 1 < across_.size(); i += 2)
-      found.push_back({low, high, across_[i], across_[i + 1]});
+    for (Across& one : across_) one.x = edges_[one.edge].x_at(middle);
+    // Sorted already, but for what came in last.
+    for (std::size_t i = 1; i < across_.size(); ++i)
+      for (std::size_t k = i; k > 0 && across_[k].x < across_[k - 1].x; --k)
+        std::swap(across_[k], across_[k - 1]);
   }
 
-  std::vector<Edge> edges_, across_;
+  void pair_edges(double low) {
+    for (std::size_t i = 0; i < across_.size(); ++i) {
+      const std::size_t left = across_[i].edge;
+      const bool inside = i % 2 == 0 && i + 1 < across_.size();
+      const std::size_t right = inside ? across_[i + 1].edge : kNone;
+      if (begun_[left].right == right) continue;
+      end_slice(left, low);
+      begun_[left] = {right, low};
+    }
+  }
+
+  void end_slice(std::size_t left, double high) {
+    const Begun begun = std::exchange(begun_[left], {});
+    if (begun.right != kNone)
+      slices_.push_back({begun.low, high, edges_[left], edges_[begun.right]});
+  }
+
+  std::vector<Edge> edges_;
   std::vector<double> levels_;
+  std::vector<Across> across_;
+  std::vector<Begun> begun_;  // by the left edge
+  std::vector<Slice> slices_;
   std::size_t next_ = 0;
 };
 

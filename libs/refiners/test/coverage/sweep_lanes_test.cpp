@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 #include "testing/coverage_cases.hpp"
 
 namespace skein::refiners {
@@ -96,6 +100,58 @@ TEST(SplitStrips, AConvexPolygonGivesTheSameLanesInOneBlock) {
     for (std::size_t k = 0; k < whole.size(); ++k) {
       ASSERT_NEAR(blocks[0][k].from, whole[k].from, 1e-6);
       ASSERT_NEAR(blocks[0][k].to, whole[k].to, 1e-6);
+    }
+  }
+}
+
+/// Where borders of the region cross the level, and its corners between the levels.
+std::vector<double> possible_ends(const Region& region, double low, double high) {
+  std::vector<double> found;
+  std::vector<Polygon> borders = region.holes;
+  borders.push_back(region.outer);
+  for (const Polygon& border : borders)
+    for (std::size_t k = 0; k < border.size(); ++k) {
+      const auto& a = border[k];
+      const auto& b = border[(k + 1) % border.size()];
+      if (a.y() >= low - 1e-9 && a.y() <= high + 1e-9) found.push_back(a.x());
+      for (const double y : {low, high})
+        if ((a.y() > y) != (b.y() > y))
+          found.push_back(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
+    }
+  return found;
+}
+
+TEST(SplitStrips, WhatIsInAStarWithAHoleIsInALaneAndLanesEndWhereTheRegionDoes) {
+  Random random(11);
+
+  for (int i = 0; i < 60; ++i) {
+    const auto corners = static_cast<std::size_t>(random.uniform(5, 120));
+    const Region region{testing::random_star(random, corners, 150, 500),
+                        {testing::random_star(random, 7, 20, 90)}};
+    const double swath = random.uniform(8, 60);
+    std::map<double, std::vector<Strip>> lanes;  // by their level
+    for (const Block& block : split_strips(region, swath, 0))
+      for (const Strip& lane : block) lanes[lane.y].push_back(lane);
+    ASSERT_GT(lanes.size(), 1U);
+    const double height = std::next(lanes.begin())->first - lanes.begin()->first;
+
+    for (auto& [y, row] : lanes) {
+      const auto ends = possible_ends(region, y - height / 2, y + height / 2);
+      for (const Strip& lane : row)
+        for (const double end : {lane.from, lane.to})
+          ASSERT_TRUE(std::any_of(ends.begin(), ends.end(),
+                                  [&](double x) { return std::abs(x - end) < 1e-6; }))
+              << "case " << i << ": " << end << " at " << y;
+      for (int k = 0; k < 40; ++k) {
+        const world::Vector2 point(random.uniform(-500, 500),
+                                   y + random.uniform(-0.499, 0.499) * height);
+        if (!world::contains(region.outer, point) || world::contains(region.holes[0], point))
+          continue;
+        const auto swept = std::count_if(row.begin(), row.end(), [&](const Strip& lane) {
+          return lane.from <= point.x() && point.x() <= lane.to;
+        });
+        ASSERT_EQ(swept, 1) << "case " << i << ": " << point.transpose();
+      }
     }
   }
 }
