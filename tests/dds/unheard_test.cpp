@@ -2,7 +2,13 @@
 // Daemons that the runner does not hear: it says so, and no records are missing in silence.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <map>
+#include <set>
+
 #include "skein/blackboard/domain_lease.hpp"
+#include "skein/journal/line.hpp"
+#include "skein/journal/lines/radio.hpp"
 #include "testing/dds_run.hpp"
 
 namespace skein::testing {
@@ -32,6 +38,31 @@ std::size_t records_of_karma(const DdsRun& run) {
   return count;
 }
 
+std::optional<journal::lines::Reach> contact_of(const journal::Record& record) {
+  if (record.kind() != journal::lines::Reach::kKind) return std::nullopt;
+  return journal::read_as<journal::lines::Reach>(record);
+}
+
+/// Records that came twice. Contact may be lost and found again in one instant, before the mission
+/// starts above all: of it twice the same, with nothing else about those two between, is twice.
+std::size_t records_twice(const std::vector<journal::Record>& records) {
+  std::set<std::string> said;
+  std::map<std::string, std::string> last_contact;
+  std::size_t twice = 0;
+  for (const journal::Record& record : records) {
+    if (record.kind() == "process" || record.kind() == "telemetry") continue;
+    const std::string text = journal::to_json(record);
+    if (const auto contact = contact_of(record)) {
+      std::string& last = last_contact[record.node() + " " + std::string(contact->peer)];
+      twice += last == text ? 1 : 0;
+      last = text;
+    } else {
+      twice += said.insert(text).second ? 0 : 1;
+    }
+  }
+  return twice;
+}
+
 class DdsUnheard : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -49,17 +80,11 @@ TEST_F(DdsUnheard, ADaemonThatOnlyAnotherParticipantHearsIsHeardAnewWithItsRecor
 
   ASSERT_TRUE(status.has_value());
   EXPECT_EQ(status->code, 0) << run.output();
-  std::set<std::string> said;
-  std::size_t twice = 0;
-  bool from_the_start = false;
-  for (const journal::Record& record : run.records()) {
-    if (record.kind() == "process" || record.kind() == "telemetry") continue;
-    twice += said.insert(journal::to_json(record)).second ? 0 : 1;
-    from_the_start =
-        from_the_start || (record.node() == "karma" && record.at() < MissionTime::seconds(5));
-  }
-  EXPECT_TRUE(from_the_start);
-  EXPECT_EQ(twice, 0U);
+  const auto records = run.records();
+  EXPECT_TRUE(std::any_of(records.begin(), records.end(), [](const journal::Record& record) {
+    return record.node() == "karma" && record.at() < MissionTime::seconds(5);
+  }));
+  EXPECT_EQ(records_twice(records), 0U);
   EXPECT_TRUE(run.nothing_runs());
 }
 
