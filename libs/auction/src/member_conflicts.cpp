@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "chains.hpp"
+#include "one_member.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/foundation/time.hpp"
 
 namespace skein::auction {
@@ -12,7 +14,7 @@ namespace {
 
 std::string in_seconds(double value) { return to_text(Duration::seconds(value)) + " s"; }
 
-/// Of the tasks that need a member whoever else does them, those that fit in neither order.
+/// Of the tasks that need a member whoever else does them, those that fit in no order.
 class SharedMembers {
  public:
   SharedMembers(const Catalogue& catalogue, const Chains& chains,
@@ -53,7 +55,47 @@ class SharedMembers {
     }
   }
 
+  // Of several conflicts of one member each is found without the last task of those before it.
+  void add_more(const std::set<MemberNumber>& members, std::vector<MemberConflict>& found) const {
+    const OneMember together(catalogue_, chains_);
+    std::set<std::vector<std::uint32_t>> named;
+    for (const MemberNumber member : members) {
+      std::vector<std::uint32_t> tasks = without_pairs(member);
+      for (auto some = together.misfits(tasks); !some.empty(); some = together.misfits(tasks)) {
+        if (named.insert(some).second) found.push_back({numbers(some), why_none(some), member});
+        std::erase(tasks, some.back());
+      }
+    }
+  }
+
  private:
+  // Tasks that need the member, the later of each pair that does not fit left out.
+  std::vector<std::uint32_t> without_pairs(MemberNumber member) const {
+    std::vector<std::uint32_t> tasks;
+    for (std::uint32_t task = 0; task < catalogue_.size(); ++task) {
+      const bool fits_all = std::all_of(tasks.begin(), tasks.end(), [&](std::uint32_t other) {
+        return fits(other, task) || fits(task, other);
+      });
+      if (needs_[task].contains(member) && fits_all) tasks.push_back(task);
+    }
+    return tasks;
+  }
+  std::vector<TaskNumber> numbers(const std::vector<std::uint32_t>& tasks) const {
+    std::vector<TaskNumber> all;
+    for (const std::uint32_t task : tasks) all.push_back(catalogue_.task(task).number);
+    return all;
+  }
+  std::string why_none(const std::vector<std::uint32_t>& tasks) const {
+    std::vector<std::string> each;
+    for (const std::uint32_t i : tasks) {
+      const Task& task = catalogue_.task(i);
+      each.push_back(to_text(task.number) + " begins at " +
+                     in_seconds(chains_.earliest_end(i) - task.duration) +
+                     " at the earliest, lasts " + in_seconds(task.duration) + " and must end by " +
+                     in_seconds(chains_.latest_end(i)));
+    }
+    return "they fit in no order: " + joined(each, "; ");
+  }
   double end_after(std::uint32_t first, std::uint32_t then) const {
     return chains_.earliest_end(first) + catalogue_.task(then).duration;
   }
@@ -83,7 +125,9 @@ std::vector<MemberConflict> member_conflicts(const Lot& lot,
   const Chains chains(catalogue);
   const SharedMembers shared(catalogue, chains, members);
   shared.add_too_few(found);
-  if (chains.hold()) shared.add_pairs(found);
+  if (!chains.hold()) return found;
+  shared.add_pairs(found);
+  shared.add_more(members, found);
   return found;
 }
 

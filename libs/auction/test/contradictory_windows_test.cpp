@@ -188,6 +188,104 @@ RC_GTEST_PROP(ContradictoryWindows, TwoThatNeedOneMemberAreNamedIfAndOnlyIfNeith
   }
 }
 
+/// Whether some order of these tasks can be dated together with all others.
+bool some_order_can_be_dated(const Lot& lot, std::vector<TaskNumber> tasks) {
+  std::sort(tasks.begin(), tasks.end());
+  do {
+    Lot ordered = lot;
+    for (std::size_t i = 1; i < tasks.size(); ++i)
+      ordered.precedences.push_back({tasks[i - 1], tasks[i]});
+    if (can_be_dated(ordered)) return true;
+  } while (std::next_permutation(tasks.begin(), tasks.end()));
+  return false;
+}
+
+/// That last for some time, for whom they are pinned to.
+Lot sound(Lot lot, std::optional<MemberNumber> pinned_to = {}) {
+  for (Task& task : lot.tasks) {
+    task.duration += 1;
+    if (pinned_to) task.pinned = pinned_to;
+    if (task.pinned) task.forbidden.erase(*task.pinned);
+  }
+  return lot;
+}
+
+std::vector<TaskNumber> that_need(const Lot& lot, MemberNumber member) {
+  std::vector<TaskNumber> tasks;
+  for (const Task& task : lot.tasks)
+    if (needed_for(task).contains(member)) tasks.push_back(task.number);
+  return tasks;
+}
+
+RC_GTEST_PROP(ContradictoryWindows, OfMoreThatNeedOneMemberNoOrderCanBeDatedAndNoneCanBeLeftOut,
+              (std::uint64_t seed)) {
+  const Lot lot = sound(crowded(seed));
+  for (const MemberConflict& one : member_conflicts(lot, everybody())) {
+    if (!one.member) continue;
+    for (const TaskNumber task : one.tasks)
+      RC_ASSERT(needed_for(lot.tasks.at(task.value())).contains(*one.member));
+    RC_ASSERT(!some_order_can_be_dated(lot, one.tasks));
+    for (const TaskNumber task : one.tasks)
+      RC_ASSERT(one.why.find(to_text(task) + " ") != std::string::npos);
+  }
+}
+
+// Many for one, so that there are threes and fours of which any two fit.
+RC_GTEST_PROP(ContradictoryWindows, MoreThatNeedOneMemberAreNamedIfAndOnlyIfNoOrderCanBeDated,
+              (std::uint64_t seed)) {
+  for (const auto pinned_to : {std::optional<MemberNumber>(), std::optional(MemberNumber(0))}) {
+    Lot lot = sound(crowded(seed), pinned_to);
+    lot.precedences.clear();
+    if (!can_be_dated(lot)) continue;
+    const auto found = member_conflicts(lot, everybody());
+    for (const MemberNumber member : everybody()) {
+      const auto tasks = that_need(lot, member);
+      const bool named = std::any_of(found.begin(), found.end(), [&](const MemberConflict& one) {
+        return one.member && std::all_of(one.tasks.begin(), one.tasks.end(), [&](TaskNumber task) {
+                 return std::find(tasks.begin(), tasks.end(), task) != tasks.end();
+               });
+      });
+      RC_ASSERT(named == !some_order_can_be_dated(lot, tasks));
+    }
+    for (const MemberConflict& one : found) {
+      for (const TaskNumber task : one.tasks) {
+        if (!one.member || one.tasks.size() < 2) continue;
+        std::vector<TaskNumber> others = one.tasks;
+        std::erase(others, task);
+        RC_ASSERT(some_order_can_be_dated(lot, others));
+      }
+    }
+  }
+}
+
+// Each lasts 50 of the 100 s: any two fit, and of twenty there are too many for the interval.
+TEST(ContradictoryWindows, OfManyTasksAnIntervalThatIsTooFullIsFound) {
+  Lot lot;
+  for (std::uint32_t i = 0; i < 3; ++i)
+    lot.tasks.push_back(a_task(31 + i).from(1000).lasting(50).by(1100).pinned(1));
+  for (std::uint32_t i = 0; i < 20; ++i) lot.tasks.push_back(a_task(51 + i).lasting(5).pinned(1));
+
+  const auto found = member_conflicts(lot, everybody());
+
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_THAT(found[0].tasks,
+              ::testing::ElementsAre(TaskNumber(31), TaskNumber(32), TaskNumber(33)));
+}
+
+TEST(ContradictoryWindows, ThreeOfWhichAnyTwoFitAreSaidWithTheirDates) {
+  const auto found = member_conflicts(
+      {{a_task(41).from(10).lasting(40).by(100).pinned(2), a_task(42).lasting(40).by(110).pinned(2),
+        a_task(43).from(5).lasting(40).by(120).pinned(2)},
+       {}},
+      everybody());
+
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].why,
+            "they fit in no order: 41 begins at 10 s at the earliest, lasts 40 s and must end by "
+            "100 s; 42 begins at 0 s at the earliest, lasts 40 s and must end by 110 s; 43 begins "
+            "at 5 s at the earliest, lasts 40 s and must end by 120 s");
+}
+
 RC_GTEST_PROP(ContradictoryWindows, ATaskForMoreThanMayDoItIsNamedWithHowManyMay,
               (std::uint64_t seed)) {
   const Lot lot = crowded(seed);

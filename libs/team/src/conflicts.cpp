@@ -47,9 +47,10 @@ std::vector<Conflict> conflicts_of(const GlobalMission& mission, const Roster& r
   for (const auction::Contradiction& one : auction::contradictions(lot))
     conflicts.push_back(conflict_of(one.chain, one.why));
   for (const auction::MemberConflict& one : auction::member_conflicts(lot, members)) {
-    const std::string both =
-        one.member ? "both need " + roster.name_of(*one.member) + ", and " : std::string();
-    conflicts.push_back(conflict_of(one.tasks, both + one.why));
+    const std::string all = one.tasks.size() == 2 ? "both" : "all";
+    const std::string need =
+        one.member ? all + " need " + roster.name_of(*one.member) + ", and " : std::string();
+    conflicts.push_back(conflict_of(one.tasks, need + one.why));
   }
   return conflicts;
 }
