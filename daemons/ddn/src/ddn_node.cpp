@@ -36,6 +36,10 @@ using translation::to_wire;
 
 /// Of jobs: those of the supervisor come before.
 constexpr std::uint64_t kFirstReckoning = std::uint64_t{1} << 32U;
+constexpr std::uint64_t kFirstDetours = std::uint64_t{1} << 48U;
+
+/// Of a job that plans detours, with a real clock: more of them wait for the next one.
+constexpr Duration kDetours = Duration::milliseconds(250);
 
 dn::Config decision_config(const DdnConfig& config, const node::Roster& roster) {
   dn::Config result = config;
@@ -109,6 +113,8 @@ std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
     if (result != nullptr) return supervisor::JobFinished{done->id, *result};
     const auto* rows = std::any_cast<Result<interaction::Rows, Failure>>(&done->result);
     if (rows != nullptr) return dn::ReckoningFinished{done->id - kFirstReckoning, *rows};
+    const auto* detours = std::any_cast<std::vector<supervisor::Detour>>(&done->result);
+    if (detours != nullptr) return dn::DetoursPlanned{done->id - kFirstDetours, *detours};
   } else if (const auto* lost = std::get_if<node::Undelivered>(&input)) {
     note(*lost);
   } else if (const auto* started = std::get_if<node::Started>(&input)) {
@@ -322,6 +328,14 @@ void DdnNode::carry_out(const dn::StartReckoning& effect) {
 
 void DdnNode::carry_out(const dn::StopReckoning& effect) {
   out_.push_back(node::StopJob{kFirstReckoning + effect.job});
+}
+
+// No plan or repair waits for what only bids are made of.
+void DdnNode::carry_out(const dn::StartDetours& effect) {
+  const auto work = [request = effect.request](const node::TimeIsUp& time_is_up) -> std::any {
+    return supervisor::plan_detours(request, time_is_up);
+  };
+  out_.push_back(node::StartJob{kFirstDetours + effect.job, work, kDetours, true});
 }
 
 void DdnNode::carry_out(const supervisor::StartDeliberation& effect) {

@@ -50,21 +50,49 @@ bool TeamMember::Core::is_to_sell(const std::set<MemberNumber>& here) const {
   });
 }
 
-ToAuctioneer TeamMember::Core::answer(const ToMember& call) {
+// With the craft for its sale, which may not be there yet.
+bool TeamMember::Core::can_answer(const ToMember& call) {
   const auto [sale, lot] =
       std::visit([](const auto& message) { return std::pair(message.sale, message.lot); }, call);
   if (!bidding_ || bidding_->sale != sale) {
-    bidding_ = {sale, setup_.craft ? setup_.craft(lot, now_) : std::make_unique<const NoCraft>()};
+    const bool waits = bidding_ && bidding_->craft == nullptr;
+    bidding_ = Bidding{sale, waits ? bidding_->since : now_, nullptr};
   }
+  if (bidding_->craft == nullptr) {
+    bidding_->craft =
+        setup_.craft ? setup_.craft(lot, bidding_->since) : std::make_unique<const NoCraft>();
+  }
+  return bidding_->craft != nullptr;
+}
+
+// Precondition: it can.
+ToAuctioneer TeamMember::Core::answer(const ToMember& call) {
   ToAuctioneer said = Bidder(setup_.self, *bidding_->craft).handle(call);
   const auto* offer = std::get_if<Offer>(&said);
   if (offer != nullptr && offer->round == 1) effects_.emplace_back(Offered{*offer});
   return said;
 }
 
+// The own auctioneer says again what is not answered.
+bool TeamMember::Core::is_kept(const ToMember& call) const {
+  const auto round_of = [](const ToMember& said) {
+    return std::visit([](const auto& one) { return std::pair(one.sale, one.round); }, said);
+  };
+  return std::any_of(own_calls_.begin(), own_calls_.end(), [&](const ToMember& kept) {
+    return kept.index() == call.index() && round_of(kept) == round_of(call);
+  });
+}
+
+void TeamMember::Core::answer_kept_call() {
+  if (!kept_call_ || !can_answer(kept_call_->second)) return;
+  tell(kept_call_->first, answer(kept_call_->second));
+  kept_call_.reset();
+}
+
 // One after the other: a team of one sells a whole lot without a message.
 void TeamMember::Core::answer_own_calls() {
-  while (!own_calls_.empty()) {
+  if (!sale_) own_calls_.clear();
+  while (!own_calls_.empty() && can_answer(own_calls_.front())) {
     const ToMember call = std::move(own_calls_.front());
     own_calls_.pop_front();
     if (sale_) take(sale_->auctioneer.handle(answer(call), now_));
@@ -117,10 +145,10 @@ void TeamMember::Core::sell() {
 void TeamMember::Core::take(SaleEffects effects) {
   for (SaleEffect& effect : effects) {
     if (auto* send = std::get_if<Send>(&effect)) {
-      if (send->to == setup_.self)
-        own_calls_.push_back(std::move(send->message));
-      else
+      if (send->to != setup_.self)
         tell(send->to, std::move(send->message));
+      else if (!is_kept(send->message))
+        own_calls_.push_back(std::move(send->message));
     } else if (!std::holds_alternative<Ended>(effect)) {
       sale_->explain(effect, names_);
       // It is asked in another sale, but not at once: it may be silent again.

@@ -88,8 +88,11 @@ class TeamMember::Core {
   std::set<MemberNumber> present() const;
   bool is_to_sell(const std::set<MemberNumber>& here) const;
   Lot sound_lot();
+  bool can_answer(const ToMember& call);
   ToAuctioneer answer(const ToMember& call);
+  bool is_kept(const ToMember& call) const;
   void answer_own_calls();
+  void answer_kept_call();
   void take(SaleEffects effects);
   void book_sale();
 
@@ -120,9 +123,11 @@ class TeamMember::Core {
   /// like a gain, and the sale would not end.
   struct Bidding {
     SaleNumber sale;
-    std::unique_ptr<const Craft> craft;
+    MissionTime since;                   ///< without a craft since then
+    std::unique_ptr<const Craft> craft;  ///< none: not made yet
   };
   std::optional<Bidding> bidding_;
+  std::optional<std::pair<MemberNumber, ToMember>> kept_call_;  ///< of another, without a craft yet
   std::deque<ToMember> own_calls_;                    ///< from the own auctioneer to this member
   std::map<MemberNumber, std::vector<Claim>> wants_;  ///< last claims of each member
   std::set<MemberNumber> declared_lost_;

@@ -52,6 +52,7 @@ TeamEffects TeamMember::Core::handle(const TeamInput& input, MissionTime now) {
              input);
   if (role_ != Role::kHolder && now_ >= stand_at_) stand(true);
   if (role_ == Role::kHolder) keep_ledger();
+  answer_kept_call();
   answer_own_calls();
   stored_ |= own_.give_up_claims();
   if (const auto begun = own_.begin_next(committed_, now_)) {
@@ -252,7 +253,8 @@ void TeamMember::Core::let_go_of_missions() {
   stored_ |= gone > 0;
 }
 
-void TeamMember::Core::on(const ToMember& call, MemberNumber from) { tell(from, answer(call)); }
+// One after the other: of two auctioneers the later is answered, and the other asks again.
+void TeamMember::Core::on(const ToMember& call, MemberNumber from) { kept_call_ = {from, call}; }
 
 // Nobody bids for another.
 void TeamMember::Core::on(const ToAuctioneer& answer, MemberNumber from) {

@@ -83,6 +83,7 @@ class Core {
   void on(const GroundNegotiates& said) { voice_.say(said); }
   void on(const GroundPlays& said) { voice_.say(said); }
   void on(const ReckoningFinished& done) { interaction_.reckoned(done); }
+  void on(const DetoursPlanned& done) { team_.detours_planned(done); }
   void on(const TeamTold& told) { team_.hear(told); }
   void on(const MergeTold& told) { merging_.hear(told); }
   void on(const FrontierTold& told) { meetings_.hear(told); }

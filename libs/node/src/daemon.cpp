@@ -97,6 +97,8 @@ class Daemon {
 
   void turn() {
     for (JobDone& done : jobs_.take_done()) host_->job_done(std::move(done), now());
+    if (jobs_aside_)
+      for (JobDone& done : jobs_aside_->take_done()) host_->job_done(std::move(done), now());
     host_->step(now());
     if (!config_.world && !config_.leads_clock) take_time_of_peers();
     if (config_.companion != nullptr) hear_companion();
@@ -186,8 +188,11 @@ class Daemon {
   HostPorts ports() {
     HostPorts ports;
     ports.journal = [this](const journal::Record& record) { unsent_records_.push_back(record); };
-    ports.start_job = [this](StartJob job) { jobs_.submit(std::move(job)); };
-    ports.stop_job = [this](StopJob job) { jobs_.stop(job.id); };
+    ports.start_job = [this](StartJob job) { lane_of(job).submit(std::move(job)); };
+    ports.stop_job = [this](StopJob job) {
+      jobs_.stop(job.id);
+      if (jobs_aside_) jobs_aside_->stop(job.id);
+    };
     // The leader sees the mission state that another node publishes, or its own says so.
     ports.finish = [this] { finish(); };
     ports.world = [this](const wire::Sample& sample) { take_world(sample); };
@@ -195,6 +200,12 @@ class Daemon {
       ports.witness = [this](const wire::Sample& sample) { config_.companion->sees(sample); };
     }
     return ports;
+  }
+
+  JobRunner& lane_of(const StartJob& job) {
+    if (!job.aside) return jobs_;
+    if (!jobs_aside_) jobs_aside_.emplace([this] { waker_.notify(); });
+    return *jobs_aside_;
   }
 
   void take_world(const wire::Sample& sample) {
@@ -290,6 +301,7 @@ class Daemon {
   ClockLeader leader_;
   const Duration heartbeat_;  ///< steady
   JobRunner jobs_;
+  std::optional<JobRunner> jobs_aside_;  ///< made for the first job of the second lane
   std::unique_ptr<Host> host_;
   std::vector<journal::Record> unsent_records_;
   bool introduced_as_ready_ = false;

@@ -200,6 +200,17 @@ TEST_P(Daemons, JobsComeBackWhileTheLoopGoesOn) {
   }));
 }
 
+TEST_P(Daemons, NoJobWaitsForOneOfTheSecondLane) {
+  start_all();
+
+  EXPECT_TRUE(until([&] {
+    const auto lines = read("ground");
+    return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+      return line.find("\"beside\"") != std::string::npos;
+    });
+  }));
+}
+
 TEST_P(Daemons, TheEndOfTheMissionEndsThemAll) {
   start_all("3");
 

@@ -55,8 +55,8 @@ Team::Team(Core& core) : core_(core) {
   const Config& config = core.config();
   if (!config.team || config.knowledge == nullptr) return;
   auction::TeamSetup setup = setup_of(*config.team, config.uav);
-  setup.craft = [this](const std::shared_ptr<const auction::Catalogue>&, MissionTime) {
-    return std::make_unique<const TeamCraft>(vantage());
+  setup.craft = [this](const auto& catalogue, MissionTime since) {
+    return craft_for(catalogue->lot(), since);
   };
   member_.emplace(std::move(setup));
 }
@@ -96,8 +96,16 @@ void Team::see_whether_apart() {
   }
 }
 
+void Team::detours_planned(const DetoursPlanned& done) {
+  if (!member_) return;
+  detours_.planned(done);
+  give(auction::Tick{});
+}
+
 void Team::time_passes() {
-  if (member_) give(auction::Tick{});
+  if (!member_) return;
+  if (bids_until_ && core_.bus().now() >= *bids_until_) bids_until_.reset();
+  give(auction::Tick{});
 }
 
 std::optional<MissionTime> Team::next_wakeup() const {
@@ -107,7 +115,8 @@ std::optional<MissionTime> Team::next_wakeup() const {
   const auto late = job_ && bids_ && !job_->handed_over ? lateness_.due() : std::nullopt;
   const bool hopes = apart_since_ && telemetry_.state.airborne && !idle_since_;
   const auto out = hopes && may_be_given_work() ? left_out_at() : std::nullopt;
-  return earliest(member_->next_wakeup(), earliest(earliest(late, out), earliest(home, left)));
+  const auto sooner = earliest(bids_until_, earliest(late, out));
+  return earliest(member_->next_wakeup(), earliest(sooner, earliest(home, left)));
 }
 
 void Team::mission_answered(mission::MissionId mission, bool accepted, const std::string& why) {
@@ -329,6 +338,20 @@ mission::HighLevelTask Team::as_bid_for(const mission::HighLevelTask& task,
   for (const std::string& uav : core_.config().knowledge->team)
     if (uav != some.front() && some.size() < members) some.push_back(uav);
   return team::for_members(task, some);
+}
+
+// None: the ways around what straight flights go through are not known yet, and are waited for.
+std::unique_ptr<const auction::Craft> Team::craft_for(const auction::Lot& lot, MissionTime since) {
+  Vantage at = vantage();
+  detours_.want(at, lot);
+  bids_until_.reset();
+  if (!detours_.complete() && core_.bus().now() < since + TeamDetours::kPatience) {
+    bids_until_ = since + TeamDetours::kPatience;
+    if (auto job = detours_.next_job(at)) core_.bus().emit(std::move(*job));
+    return nullptr;
+  }
+  at.detours = detours_.known();
+  return std::make_unique<const TeamCraft>(std::move(at));
 }
 
 Vantage Team::vantage() {

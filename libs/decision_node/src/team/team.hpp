@@ -12,6 +12,7 @@
 #include "skein/refiners/tour.hpp"
 #include "skein/team/roster.hpp"
 #include "team/lateness.hpp"
+#include "team/team_detours.hpp"
 
 namespace skein::team {
 struct Order;
@@ -20,7 +21,6 @@ struct Order;
 namespace skein::decision_node {
 
 class Core;
-struct Vantage;
 
 /// Does nothing if the configuration has no team. Granted tasks go to the supervisor one at a time,
 /// each as a goal in a mission of its own. The end of each is reported to the team, which sells a
@@ -33,6 +33,7 @@ class Team final : public Component {
   bool possible() const { return member_.has_value(); }
   void start();
   void hear(const TeamTold& told);
+  void detours_planned(const DetoursPlanned& done);
   /// Members out of reach are sent nothing; messages repeat once they are in reach again.
   void contact(const Contact& contact);
   /// The supervisor's answer to a mission of the team.
@@ -75,6 +76,7 @@ class Team final : public Component {
   void look_at_what_was_handed_over();
   void go_home();
   bool is_idle() const;
+  std::unique_ptr<const auction::Craft> craft_for(const auction::Lot& lot, MissionTime since);
   /// Notes since when it reaches too few.
   void see_whether_apart();
   /// From when on it counts on no more work of the team, of which it reaches too few.
@@ -101,6 +103,8 @@ class Team final : public Component {
   std::optional<MissionTime> apart_since_;  ///< it reaches too few to be sold or granted anything
   std::optional<MissionTime> left_since_;   ///< nobody decides on what was handed over, since then
   std::uint64_t missions_ = 0;
+  TeamDetours detours_;
+  std::optional<MissionTime> bids_until_;  ///< bids wait for detours until then
 };
 
 }  // namespace skein::decision_node

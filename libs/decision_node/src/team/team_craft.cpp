@@ -43,30 +43,59 @@ std::optional<Vector3> TeamCraft::leaves_from(auction::Stopover from) const {
   return gate ? std::optional(gate->exit) : std::nullopt;
 }
 
-// A task without a place is done where the UAV is then: there is no way to it.
-std::optional<auction::Leg> TeamCraft::leg(auction::Stopover from, auction::Stopover to) const {
+std::optional<supervisor::StraightLeg> TeamCraft::straight(auction::Stopover from,
+                                                           auction::Stopover to) const {
   const auto begin = leaves_from(from);
   std::optional<refiners::Gate> end = refiners::Gate{over_home(*at_.knowledge), {}, {}};
   if (!to.is_end()) end = visit(to.task());
-  if (!begin || !end) return auction::Leg{};
+  if (!begin || !end) return std::nullopt;
+  return supervisor::StraightLeg{*begin, end->entry};
+}
+
+// A task without a place is done where the UAV is then: there is no flight to it.
+std::optional<auction::Leg> TeamCraft::leg(auction::Stopover from, auction::Stopover to) const {
+  const auto straight = this->straight(from, to);
+  if (!straight) return auction::Leg{};
+  const auto known = at_.detours.find({from, to});
+  const auto detour = known == at_.detours.end() ? supervisor::Detour() : known->second;
+  if (!detour.exists && has_to_be_there(to)) return std::nullopt;
   const world::VehicleModel& vehicle = at_.knowledge->vehicle;
   const refiners::Flight flight =
-      refiners::estimate_flight({*begin, end->entry}, vehicle, at_.world->wind);
+      refiners::estimate_flight({straight->from, straight->to}, vehicle, at_.world->wind);
   if (flight.duration.expected == Duration::max()) return std::nullopt;
-  const double inside = to.is_end() ? 0 : end->inside.to_seconds();
-  double seconds = flight.duration.expected.to_seconds() + inside;
+  const double inside = to.is_end() ? 0 : visit(to.task())->inside.to_seconds();
+  double seconds = (flight.duration.expected + detour.longer).to_seconds() + inside;
   if (from.is_begin() && is_begun(to)) {
     const double planned = at_.begun->way.to_seconds();
+    seconds -= detour.longer.to_seconds();  // which its plan knows
     seconds = inside > 0
                   ? planned
                   : std::max(seconds * at_.begun->slower, planned);  // a sweep may be half over
   }
   const double sweep = inside * world::flight_power(vehicle, vehicle.cruise_speed, 0);
-  return auction::Leg{seconds, seconds, flight.energy * vehicle.energy.capacity + sweep};
+  return auction::Leg{seconds, seconds,
+                      flight.energy * vehicle.energy.capacity + detour.energy + sweep};
 }
 
 bool TeamCraft::is_begun(auction::Stopover place) const {
   return at_.begun && !place.is_begin() && !place.is_end() && place.task() == at_.begun->task;
+}
+
+// A sensor may see a place from elsewhere, and who does something together agrees on other places.
+bool TeamCraft::has_to_be_there(auction::Stopover place) const {
+  using mission::ParameterKind;
+  if (place.is_begin() || place.is_end()) return false;
+  const auto order = at_.tasks.find(place.task());
+  if (order == at_.tasks.end()) return false;
+  const auto& known = at_.knowledge->vocabulary.tasks;
+  const auto signature = known.find(order->second.name);
+  if (signature == known.end() || !signature->second.uses.empty()) return false;
+  const auto& kinds = signature->second.parameters;
+  const auto place_alone = [](ParameterKind kind) {
+    return kind != ParameterKind::kUavs && kind != ParameterKind::kSyncId &&
+           kind != ParameterKind::kZone && kind != ParameterKind::kPlaces;
+  };
+  return std::all_of(kinds.begin(), kinds.end(), place_alone);
 }
 
 double TeamCraft::energy_of(const auction::Task& task) const {

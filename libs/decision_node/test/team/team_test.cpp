@@ -31,6 +31,7 @@ Config config(int degree) {
   knowledge->vehicle.cruise_speed = 5;
   knowledge->vehicle.max_speed = 10;
   knowledge->vehicle.climb_rate = knowledge->vehicle.descent_rate = 2;
+  knowledge->vehicle.ceiling = 200;
   knowledge->vehicle.energy.capacity = 1e6;
   knowledge->team = {"marvin", "heliv"};
   knowledge->vocabulary.tasks["look"] = {"look", {mission::ParameterKind::kPlace}, {}};

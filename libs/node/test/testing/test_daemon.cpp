@@ -5,10 +5,14 @@
 // writes 1000 at once, a second later, just before they stop.
 // FILE: where every record of this daemon goes, one line each. Exit: 0 finished, 10 stopped, 3
 // failure.
+#include <any>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <latch>
+#include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "skein/node/daemon.hpp"
@@ -20,6 +24,7 @@ using skein::MissionTime;
 using namespace skein::node;  // NOLINT(google-build-using-namespace): a test program of one file
 
 constexpr int kBurst = 50;
+constexpr std::uint64_t kAside = 1'000'000;
 constexpr int kLastBurst = 1000;  // more than a socket takes at once, less than a writer keeps
 
 class Talker final : public Node {
@@ -27,7 +32,10 @@ class Talker final : public Node {
   Talker(std::string name, MissionTime finish) : name_(std::move(name)), finish_(finish) {}
 
   Effects handle(const Input& input, MissionTime now) override {
-    if (const auto* done = std::get_if<JobDone>(&input)) return {note("job", done->id, now)};
+    if (const auto* done = std::get_if<JobDone>(&input)) {
+      const auto* beside = std::any_cast<bool>(&done->result);
+      return {note(beside != nullptr && *beside ? "beside" : "job", done->id, now)};
+    }
     if (!std::holds_alternative<Wakeup>(input)) return {};
     next_ = next_ + skein::Duration::seconds(1);
     Effects effects;
@@ -35,7 +43,19 @@ class Talker final : public Node {
                       !std::exchange(wrote_last_, true);
     for (int i = 0; i < (last ? kLastBurst : kBurst); ++i)
       effects.push_back(note("tick", ++count_, now));
-    effects.push_back(StartJob{count_, [](const TimeIsUp&) { return std::any(); }});
+    // The one in the second lane ends by itself if the one that was asked for after it is done.
+    const auto done = std::make_shared<std::latch>(1);
+    if (count_ == kBurst) {
+      const auto waits = [done](const TimeIsUp& time_is_up) {
+        while (!done->try_wait() && !time_is_up()) std::this_thread::yield();
+        return std::any(done->try_wait());
+      };
+      effects.push_back(StartJob{kAside, waits, skein::Duration::seconds(30), true});
+    }
+    effects.push_back(StartJob{count_, [done](const TimeIsUp&) {
+                                 done->count_down();
+                                 return std::any();
+                               }});
     if (name_ == "ground" && finish_ > MissionTime() && now >= finish_) {
       skein::wire::MissionState state;
       state.finished = true;

@@ -2,6 +2,8 @@
 // The bidder's interface to its own vehicle and plan.
 #pragma once
 
+#include <compare>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -28,6 +30,7 @@ class Stopover {
   static constexpr Stopover of(TaskNumber task) { return Stopover(task.value()); }
   constexpr bool is_begin() const { return code_ == kBegin; }
   constexpr bool is_end() const { return code_ == kEnd; }
+  constexpr auto operator<=>(const Stopover&) const = default;  ///< for keys
   constexpr TaskNumber task() const { return TaskNumber(static_cast<std::uint32_t>(code_)); }
 
  private:

@@ -39,9 +39,10 @@ struct Disk {
   std::vector<GivenMission> missions;  ///< given to this member, not yet committed
 };
 
-/// Makes the craft for bids in a sale whose times count from `origin`.
+/// Makes the craft for bids in a sale. None: not yet; the member, which has been without one since
+/// `since`, keeps the call, its own auctioneer's too, and asks again at each input.
 using CraftMaker = std::function<std::unique_ptr<const Craft>(
-    std::shared_ptr<const Catalogue> catalogue, MissionTime origin)>;
+    std::shared_ptr<const Catalogue> catalogue, MissionTime since)>;
 
 struct TeamSetup {
   MemberNumber self;

@@ -20,6 +20,7 @@
 #include "skein/mission/request.hpp"
 #include "skein/negotiation/joint_task_status.hpp"
 #include "skein/negotiation/modality.hpp"
+#include "skein/supervisor/detours.hpp"
 #include "skein/supervisor/supervisor.hpp"
 #include "skein/world/perception.hpp"
 #include "skein/world/telemetry.hpp"
@@ -114,6 +115,11 @@ struct ReckoningFinished {
   std::uint64_t job = 0;
   Result<interaction::Rows, Failure> result;
 };
+/// The result of the job that StartDetours asked for.
+struct DetoursPlanned {
+  std::uint64_t job = 0;
+  std::vector<supervisor::Detour> detours;  ///< of the first legs, in their order
+};
 /// A message of another team member about the token, the ledger or a sale.
 struct TeamTold {
   std::string from;
@@ -138,8 +144,8 @@ using Input =
     std::variant<Started, Command, UnreadableCommand, PlaceTold, ElementaryRequest, GroundTaskSeen,
                  StatusTold, SyncMessage, DegreeTold, world::Telemetry, world::Perception, Contact,
                  LayerForgot, supervisor::JobFinished, interaction::SessionMessage, PartnerSeen,
-                 JointTaskTold, GroundNegotiates, GroundPlays, ReckoningFinished, TeamTold,
-                 MergeTold, FrontierTold, Tick>;
+                 JointTaskTold, GroundNegotiates, GroundPlays, ReckoningFinished, DetoursPlanned,
+                 TeamTold, MergeTold, FrontierTold, Tick>;
 
 // ---- effects, to be carried out in their order ----
 
@@ -240,6 +246,13 @@ struct SpokenFor {
 struct ShareTelemetry {
   std::string partner;
   world::Telemetry telemetry;
+};
+
+/// Run supervisor::plan_detours(request) as a job in the second lane, which no deliberation waits
+/// for; its result is returned by DetoursPlanned.
+struct StartDetours {
+  std::uint64_t job = 0;  ///< number of the job, unique among these
+  supervisor::DetourRequest request;
 };
 
 /// A message to another member of the team.
@@ -354,16 +367,15 @@ struct Notice {
 };
 
 /// The supervisor's effects are passed through unchanged.
-using EffectVariant =
-    std::variant<Answer, TaskChanged, StatusPassedOn, TelemetryPassedOn, PerceptionPassedOn,
-                 SyncPassedOn, NegotiationPassedOn, PartnerPassedOn, SpokenFor, DegreeChanged,
-                 HandedOver, BoardChanged, ToVehicle, SendSync, SendNegotiation, StartReckoning,
-                 StopReckoning, SendTeam, SendMerge, SendFrontier, MeetingNoted, AirNoted,
-                 TeamTaskNoted, BidNoted, SaleNoted, TokenNoted, JointTaskChanged, ShareTelemetry,
-                 ComponelChanged, RoleTaskGiven, PlaceComputed, ScmNoted, NegotiationNoted,
-                 RequestHandled, SyncHeard, PolicyCarriedOut, Notice, supervisor::MissionDecided,
-                 supervisor::StartDeliberation, supervisor::StopDeliberation,
-                 supervisor::PlanChanged, supervisor::GoalChanged, supervisor::Decided>;
+using EffectVariant = std::variant<
+    Answer, TaskChanged, StatusPassedOn, TelemetryPassedOn, PerceptionPassedOn, SyncPassedOn,
+    NegotiationPassedOn, PartnerPassedOn, SpokenFor, DegreeChanged, HandedOver, BoardChanged,
+    ToVehicle, SendSync, SendNegotiation, StartReckoning, StopReckoning, StartDetours, SendTeam,
+    SendMerge, SendFrontier, MeetingNoted, AirNoted, TeamTaskNoted, BidNoted, SaleNoted, TokenNoted,
+    JointTaskChanged, ShareTelemetry, ComponelChanged, RoleTaskGiven, PlaceComputed, ScmNoted,
+    NegotiationNoted, RequestHandled, SyncHeard, PolicyCarriedOut, Notice,
+    supervisor::MissionDecided, supervisor::StartDeliberation, supervisor::StopDeliberation,
+    supervisor::PlanChanged, supervisor::GoalChanged, supervisor::Decided>;
 /// An EffectVariant with out-of-line special members, so that they are compiled only once.
 class Effect : public EffectVariant {
  public:

@@ -95,6 +95,7 @@ struct StartJob {
   std::uint64_t id = 0;
   std::function<std::any(const TimeIsUp&)> work;
   Duration at_most = Duration::max();  ///< time limit, from the moment it begins to run
+  bool aside = false;                  ///< in the second lane: no job of the first one waits for it
 };
 /// The result of this job is not needed any more: from now on its clock says that its time is up.
 /// JobDone comes nevertheless.
