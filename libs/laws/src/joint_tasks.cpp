@@ -161,7 +161,7 @@ bool is_same_attempt(const JointTold& one, const JointTold& other) {
 }
 
 /// When the other had already ended, it was interrupted from outside on its way out, or gave up
-/// hearing of that over a radio that was down all the while.
+/// hearing of that over a radio that was down all the while, be it by its contact-loss policy.
 bool left_without_knowing(const JointHistory& history, const JointTold& aborted,
                           const JointTold& ended) {
   const auto left = std::find_if(aborted.phases.begin(), aborted.phases.end(), [](const auto& one) {
@@ -169,9 +169,10 @@ bool left_without_knowing(const JointHistory& history, const JointTold& aborted,
   });
   const double end = ended.phases.back().at;
   if (left == aborted.phases.end() || left->at <= end) return false;
+  const bool for_silence = left->why.starts_with("no contact with '" + ended.uav + "'") ||
+                           left->why.starts_with("contact lost: ");
   return left->why == "interrupted" ||
-         (left->why.starts_with("no contact with '" + ended.uav + "'") &&
-          history.cut_off(aborted.uav, ended.uav, end, left->at));
+         (for_silence && history.cut_off(aborted.uav, ended.uav, end, left->at));
 }
 
 std::vector<Violation> joint_tasks_apart(const History& history) {

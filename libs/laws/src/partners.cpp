@@ -40,14 +40,16 @@ bool may_wait(const Execution& one) {
   return one.type == "synchronise" || one.type == "rendezvous" || one.type.starts_with("joint:");
 }
 
-/// When it began to wait, be it in an attempt before this one of the same goal.
+/// When it began to wait, be it in an attempt before this one of the same goal that did not get
+/// under way: a joint task that runs does not wait.
 double began(const Uav& uav, const Execution& wait) {
   constexpr double kAnew = 20;  // [s] until the goal is planned again
   double since = wait.started;
   const std::int64_t goal = uav.goal_of_task(wait.task);
   for (auto one = uav.executions.rbegin(); one != uav.executions.rend(); ++one) {
     const Execution& before = one->second;
-    const bool same = before.type == wait.type && uav.goal_of_task(one->first) == goal;
+    const bool ran = before.type.starts_with("joint:") && before.running != kNever;
+    const bool same = before.type == wait.type && uav.goal_of_task(one->first) == goal && !ran;
     if (same && before.started < since && before.over <= since && before.over + kAnew >= since)
       since = before.started;
   }
@@ -124,7 +126,26 @@ std::vector<Violation> absent_partners_awaited(const History& history) {
   return result;
 }
 
-// "no contact with 'heliv' since 312 s"
+namespace {
+
+// Whose word is passed on there: "'heliv' takes no part: …", "'heliv' left: …".
+const Uav* who_is_quoted(const History& history, const std::string& why, std::size_t at) {
+  const std::string before = why.substr(0, at);
+  for (const auto& [name, uav] : history.uavs)
+    for (const char* how : {"' takes no part: ", "' left: "})
+      if (before.ends_with("'" + name + how)) return &uav;
+  return nullptr;
+}
+
+bool has_said(const Uav& uav, const std::string& what, double until) {
+  return std::any_of(uav.words.begin(), uav.words.end(), [&](const Word& word) {
+    return word.at <= until && word.text.find(what) != std::string::npos;
+  });
+}
+
+}  // namespace
+
+// "no contact with 'heliv' since 312 s"; what a partner said of that is judged where it said it.
 std::optional<std::string> untrue_silence(const History& history, const Uav& uav,
                                           const std::string& why, double at) {
   constexpr double kNoticed = 6;    // [s] until silence is noticed, or whoever is back
@@ -137,7 +158,12 @@ std::optional<std::string> untrue_silence(const History& history, const Uav& uav
   const std::string partner = why.substr(name_at, end - name_at);
   double since = kNever;
   const char* from = why.data() + end + kGoesOn.size();
-  std::from_chars(from, why.data() + why.size(), since);
+  const auto figure_end = std::from_chars(from, why.data() + why.size(), since).ptr;
+  if (const Uav* speaker = who_is_quoted(history, why, begin)) {
+    const std::string word(why.data() + begin, figure_end);
+    if (has_said(*speaker, word, at)) return std::nullopt;
+    return "'" + speaker->name() + "' never said so";
+  }
   const auto truly = silent_since(history, uav, partner, at);
   if (!truly || *truly > since + kNoticed)
     return "'" + partner + "' could be heard " +

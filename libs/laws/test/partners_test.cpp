@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/journal/lines/execution.hpp"
 #include "skein/journal/lines/mission.hpp"
 #include "testing/story.hpp"
 
@@ -88,6 +89,23 @@ TEST(AwaitedLaw, AnAttemptThatFollowsAnotherGoesOnWaiting) {
   EXPECT_THAT(told(900).broken("awaited"), IsEmpty());
 }
 
+// Found by random missions (--partners 800052).
+TEST(AwaitedLaw, AJointTaskThatRanDidNotWait) {
+  const auto tries = [](const std::string& became) {
+    const std::string type = "joint:monitoring-with-relay";
+    Story story;
+    story.goal("marvin", 7, kMeeting, "under-way", 100);
+    story.does("marvin", {1, type, 7, 100, 720, "aborted"});
+    story.does("marvin", {2, type, 7, 721, 821, "aborted"});
+    story.line(journal::record_of(
+        MissionTime::seconds(101), "marvin",
+        journal::lines::Task{.uav = "marvin", .task = 1, .type = type, .state = became}));
+    return story.stands("marvin", 0, 2000).fault(50, "kill", "heliv").broken("awaited");
+  };
+  EXPECT_EQ(tries("started").size(), 1U);
+  EXPECT_THAT(tries("running"), IsEmpty());
+}
+
 TEST(AwaitedLaw, OneThatIsDeclaredLostIsWaitedForNoLonger) {
   const auto told = [](double until) {
     Story story = waits_for_dead(until);
@@ -119,6 +137,20 @@ TEST(ReasonsLaw, WhoIsGivenUpWasSilentSinceThen) {
 TEST(ReasonsLaw, WhoIsGivenUpWasSilentForAMinuteAtLeast) {
   EXPECT_THAT(given_up(" since 770 s").fault(768, "kill", "heliv").broken("reasons"),
               ElementsAre(HasSubstr("was silent for 30.0 s only")));
+}
+
+// Found by random missions (--meetings --gatherings 800015).
+TEST(ReasonsLaw, WhatAPartnerSaidOfSilenceIsThePartnersWord) {
+  const std::string word = "no contact with 'marvin' since 274 s";
+  const auto passed_on = [&](const std::string& said) {
+    Story story;
+    story.goal("marvin", 7, kMeeting, "under-way", 100)
+        .goal("marvin", 7, kMeeting, "failed", 800, "'heliv' takes no part: " + word)
+        .stands("marvin", 0, 2000);
+    return story.says("heliv", 334, said).stands("heliv", 0, 2000).broken("reasons");
+  };
+  EXPECT_THAT(passed_on("task 1002 aborted: " + word), IsEmpty());
+  EXPECT_THAT(passed_on("task 1002 aborted"), ElementsAre(HasSubstr("'heliv' never said so")));
 }
 
 TEST(ReasonsLaw, SinceWhenIsSaid) {
