@@ -58,14 +58,22 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
     return tasks_.insert(std::move(moved))
         .position->second->ask_again(asked.task.id, std::move(preferences));
   }
-  const bool again = std::any_of(tasks_.begin(), tasks_.end(), [&](const auto& one) {
-    return one.second->joint().subject == joint->subject &&
-           one.second->phase() == interaction::JointPhase::kAborted && one.second->has_run();
-  });
+  const JointTask::Before before = attempts_at(joint->subject);
   auto& task = tasks_[asked.task.id];
   task = std::make_unique<JointTask>(host_, *this, std::move(*joint), std::move(preferences),
                                      sightings_);
-  task->load(again);
+  task->load(before);
+}
+
+JointTask::Before Interaction::attempts_at(const std::string& subject) const {
+  JointTask::Before all;
+  for (const auto& [id, task] : tasks_) {
+    if (task->joint().subject != subject) continue;
+    const JointTask::Before one = task->before();
+    all.has_run = all.has_run || one.has_run;
+    all.waits_since = earliest(all.waits_since, one.waits_since);
+  }
+  return all;
 }
 
 // With the refusals of its partners; and those of which no task was ever asked for here.

@@ -76,6 +76,7 @@ class Interaction final : public Component {
   void stop_reckoning(const std::string& subject);
   void refuse(const supervisor::LoadJointTask& asked, const Joint& joint, const std::string& why);
   void forget_what_is_over();
+  JointTask::Before attempts_at(const std::string& subject) const;
   void give_up_closed_ways(const world::VehicleState& state);
   JointTask* about(const std::string& subject);
 

@@ -15,7 +15,8 @@ using interaction::JointPhase;
 constexpr Duration kTryFor = Duration::milliseconds(600'000);  // where the plan has no latest start
 // Where it has run and failed, it is due: whom it failed for comes back soon, or is done without.
 constexpr Duration kTryAgainFor = Duration::milliseconds(60'000);
-constexpr Duration kLostAfter = Duration::milliseconds(60'000);  // then a partner is lost
+constexpr Duration kPlannedAgain = Duration::milliseconds(20'000);  // a failed attempt, by then
+constexpr Duration kLostAfter = Duration::milliseconds(60'000);     // then a partner is lost
 
 }  // namespace
 
@@ -33,8 +34,17 @@ void JointTask::wait_for_partners() {
     due_since_.reset();
   else if (!due_since_)
     due_since_ = could;
-  waits_since_ = due_since_.value_or(could);
-  try_until_ = bounded ? MissionTime() + latest : waits_since_ + (again_ ? kTryAgainFor : kTryFor);
+  const MissionTime due = due_since_.value_or(could);
+  waits_since_ = due_since_ ? before_.waits_since.value_or(due) : due;
+  try_until_ = bounded ? MissionTime() + latest : due + (before_.has_run ? kTryAgainFor : kTryFor);
+}
+
+// What its supervisor plans again at once is one wait.
+JointTask::Before JointTask::before() const {
+  Before before{my_.phase == JointPhase::kAborted && has_run(), std::nullopt};
+  const bool just_failed = over_since_ && now() <= *over_since_ + kPlannedAgain;
+  if (just_failed && !has_run()) before.waits_since = waits_since_;
+  return before;
 }
 
 // Its partners find out likewise; until they have, they want other members.

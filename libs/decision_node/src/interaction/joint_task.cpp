@@ -85,8 +85,8 @@ bool JointTask::is_to_begin() const {
   return my_.phase == JointPhase::kLoading || my_.phase == JointPhase::kLoaded;
 }
 
-void JointTask::load(bool again) {
-  again_ = again;
+void JointTask::load(const Before& before) {
+  before_ = before;
   asked_at_ = now();
   wait_for_partners();
   do_without_the_absent();

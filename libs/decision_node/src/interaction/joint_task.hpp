@@ -55,8 +55,14 @@ class JointTask {
   bool is_to_begin() const;
   /// Whether the vehicle may move away without breaking a constraint of the role.
   bool needs_no_place() const { return is_to_begin() || play_.needs_no_place(); }
-  /// `again`: it has run on this UAV before, and failed.
-  void load(bool again);
+  /// Of attempts at the same joint task on this UAV.
+  struct Before {
+    bool has_run = false;                      ///< and failed
+    std::optional<MissionTime> waits_since{};  ///< one that never ran has just failed: since then
+  };
+  void load(const Before& before);
+  /// What it is to one that is loaded now, after it.
+  Before before() const;
   bool has_run() const { return play_.has_begun(); }
   /// The plan changed: the task has another id, or other possible start times.
   void ask_again(executive::TaskId task, std::vector<mission::Interval> preferences);
@@ -129,10 +135,10 @@ class JointTask {
   Membership my_;
   JointPlay play_;
   bool dispatched_ = false;  ///< the executive has started it
-  bool again_ = false;       ///< it has run before
+  Before before_;
   MissionTime try_until_;
-  MissionTime waits_since_;               ///< for partners: from when it could begin
-  MissionTime asked_at_;                  ///< the last time that it was loaded
+  MissionTime waits_since_;  ///< for partners: from when it, or one before, could begin
+  MissionTime asked_at_;     ///< the last time that it was loaded
   std::optional<MissionTime> due_since_;  ///< it could begin at once, and has waited for others
   Retries retries_;
   bool answered_ = false;  ///< the supervisor was told that it is loaded

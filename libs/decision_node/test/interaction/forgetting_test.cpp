@@ -3,41 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "interaction/interaction.hpp"
-#include "testing/stood_in.hpp"
+#include "testing/joint_host.hpp"
 
 namespace skein::decision_node {
 namespace {
 
 using interaction::JointPhase;
-
-/// The node of "marvin", as far as joint tasks need it.
-class Host final : public JointHost {
- public:
-  Bus& bus() override { return bus_; }
-  const Config& config() const override { return config_; }
-  Partners& partners() override { return partners_; }
-  std::shared_ptr<const world::World> world() const override { return config_.world; }
-  void run(executive::Input) override {}
-  bool stops(executive::TaskId) const override { return false; }
-  std::vector<mission::HeldTask> held() const override { return {}; }
-  executive::TaskId first_role_id() const override { return functional::kFirstRoleId; }
-  void serves(executive::TaskId, executive::TaskId) override {}
-  void answered(const supervisor::JointTaskAnswered& answer) override {
-    if (!answer.loaded) ++not_loaded;
-  }
-  world::VehicleState when_it_begins(executive::TaskId,
-                                     const world::VehicleState& seen) const override {
-    return seen;
-  }
-  std::string why_not(const Joint&, const std::string&) const override { return ""; }
-
-  int not_loaded = 0;
-
- private:
-  Bus bus_;
-  Config config_ = testing::stood_in_config("relay");
-  Partners partners_{config_.partner_lease};
-};
 
 class Refusals : public ::testing::Test {
  protected:
@@ -65,7 +36,7 @@ class Refusals : public ::testing::Test {
     return interaction.refusal_of(joint, "heliv") != nullptr;
   }
 
-  Host host;
+  testing::LoneJointHost host;
   Interaction interaction{host};
   const std::string subject = testing::joint().subject;
 };
@@ -77,7 +48,7 @@ TEST_F(Refusals, OfAJointTaskAreKnownUntilAnHourAfterItIsOver) {
     at(now);
     interaction.time_passes();
   }
-  ASSERT_EQ(host.not_loaded, 1);
+  ASSERT_EQ(host.not_loaded.size(), 1U);
   load(8);
   EXPECT_TRUE(is_known(subject));
   for (double now = 700; now < 1400; ++now) {

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// A joint task that is tried again waits for a silent partner as one, not anew each time.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/joint_host.hpp"
+
+namespace skein::decision_node {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+/// Heliv is silent from 0 s on; its lease is 200 s.
+class Attempts : public ::testing::Test {
+ protected:
+  Attempts() {
+    at(0);
+    host.partners().start(host.bus().now());
+    interaction.start();
+    host.partners().contact({"heliv", false, false}, host.bus().now());
+  }
+  static Config config() {
+    Config config = testing::stood_in_config("relay");
+    config.partner_lease = Duration::seconds(200);
+    return config;
+  }
+  void at(double seconds) { host.bus().begin(MissionTime::seconds(seconds)); }
+  /// Loads it as a task of the plan that could begin at once, `until` then at the latest.
+  void load(std::uint64_t id, double until) {
+    supervisor::LoadJointTask asked{testing::watching(), {{Duration(), Duration::seconds(until)}}};
+    asked.task.id = executive::TaskId(id);
+    asked.task.time.start_before = MissionTime::seconds(until);
+    interaction.load(asked);
+  }
+  void run(double from, double until) {
+    for (double now = from; now < until; ++now) {
+      at(now);
+      interaction.time_passes();
+    }
+  }
+
+  testing::LoneJointHost host{config()};
+  Interaction interaction{host};
+};
+
+// Found by random missions (--partners 800023).
+TEST_F(Attempts, OneThatFollowsAnotherAtOnceGoesOnWaiting) {
+  load(7, 100);
+  run(1, 110);
+  ASSERT_THAT(host.not_loaded, SizeIs(1));
+  load(8, 400);
+  run(111, 199);
+  ASSERT_THAT(host.not_loaded, SizeIs(1));
+  run(199, 202);
+  ASSERT_THAT(host.not_loaded, SizeIs(2));
+  EXPECT_THAT(host.not_loaded.back(), HasSubstr("no contact with 'heliv' since 0 s"));
+}
+
+TEST_F(Attempts, OneThatIsMadeLaterHasALeaseOfItsOwn) {
+  load(7, 100);
+  run(1, 150);
+  ASSERT_THAT(host.not_loaded, SizeIs(1));
+  load(8, 900);
+  run(151, 340);
+  EXPECT_THAT(host.not_loaded, SizeIs(1));
+  run(340, 360);
+  EXPECT_THAT(host.not_loaded, SizeIs(2));
+}
+
+}  // namespace
+}  // namespace skein::decision_node

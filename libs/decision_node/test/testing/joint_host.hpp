@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// A decision node as far as joint tasks need one.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "interaction/interaction.hpp"
+#include "testing/stood_in.hpp"
+
+namespace skein::decision_node::testing {
+
+/// The node of "marvin", as far as joint tasks need it.
+class LoneJointHost final : public JointHost {
+ public:
+  explicit LoneJointHost(Config config = stood_in_config("relay")) : config_(std::move(config)) {}
+  Bus& bus() override { return bus_; }
+  const Config& config() const override { return config_; }
+  Partners& partners() override { return partners_; }
+  std::shared_ptr<const world::World> world() const override { return config_.world; }
+  void run(executive::Input) override {}
+  bool stops(executive::TaskId) const override { return false; }
+  std::vector<mission::HeldTask> held() const override { return {}; }
+  executive::TaskId first_role_id() const override { return functional::kFirstRoleId; }
+  void serves(executive::TaskId, executive::TaskId) override {}
+  void answered(const supervisor::JointTaskAnswered& answer) override {
+    if (!answer.loaded) not_loaded.push_back(answer.why);
+  }
+  world::VehicleState when_it_begins(executive::TaskId,
+                                     const world::VehicleState& seen) const override {
+    return seen;
+  }
+  std::string why_not(const Joint&, const std::string&) const override { return ""; }
+
+  std::vector<std::string> not_loaded;  ///< why
+
+ private:
+  Bus bus_;
+  Config config_;
+  Partners partners_{config_.partner_lease};
+};
+
+}  // namespace skein::decision_node::testing
