@@ -74,5 +74,5 @@ grep -qF -- '-R ^(late|radio)$' <<<"$called" || fail "check: the second attempt:
 grep -qx 'skein: passed at the second attempt only: late radio' <<<"$said" || fail "check: not said: $said"
 attempt 'late' 1 1
 attempt 'late planner' 0 1
-attempt 'late radio late radio' 0 1
+attempt 'late radio late radio late radio late radio late radio late' 0 1
 echo "the entries say and do what they should"
