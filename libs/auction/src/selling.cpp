@@ -19,6 +19,16 @@ class NoCraft : public Craft {
   std::optional<std::string> objection(const Task&) const override { return "it has no vehicle"; }
 };
 
+// The own auctioneer says again what is not answered.
+bool waits(const std::deque<ToMember>& calls, const ToMember& call) {
+  const auto round_of = [](const ToMember& said) {
+    return std::visit([](const auto& one) { return std::pair(one.sale, one.round); }, said);
+  };
+  return std::any_of(calls.begin(), calls.end(), [&](const ToMember& kept) {
+    return kept.index() == call.index() && round_of(kept) == round_of(call);
+  });
+}
+
 }  // namespace
 
 // Who was heard lately and bids.
@@ -50,53 +60,40 @@ bool TeamMember::Core::is_to_sell(const std::set<MemberNumber>& here) const {
   });
 }
 
-// With the craft for its sale, which may not be there yet.
-bool TeamMember::Core::can_answer(const ToMember& call) {
+// None: the craft for its sale is not there yet.
+std::optional<ToAuctioneer> TeamMember::Core::answer(const ToMember& call) {
   const auto [sale, lot] =
       std::visit([](const auto& message) { return std::pair(message.sale, message.lot); }, call);
   if (!bidding_ || bidding_->sale != sale) {
-    const bool waits = bidding_ && bidding_->craft == nullptr;
-    bidding_ = Bidding{sale, waits ? bidding_->since : now_, nullptr};
+    const bool is_waiting = bidding_ && bidding_->craft == nullptr;
+    bidding_ = Bidding{sale, is_waiting ? bidding_->since : now_, nullptr};
   }
   if (bidding_->craft == nullptr) {
     bidding_->craft =
         setup_.craft ? setup_.craft(lot, bidding_->since) : std::make_unique<const NoCraft>();
   }
-  return bidding_->craft != nullptr;
-}
-
-// Precondition: it can.
-ToAuctioneer TeamMember::Core::answer(const ToMember& call) {
+  if (bidding_->craft == nullptr) return std::nullopt;
   ToAuctioneer said = Bidder(setup_.self, *bidding_->craft).handle(call);
   const auto* offer = std::get_if<Offer>(&said);
   if (offer != nullptr && offer->round == 1) effects_.emplace_back(Offered{*offer});
   return said;
 }
 
-// The own auctioneer says again what is not answered.
-bool TeamMember::Core::is_kept(const ToMember& call) const {
-  const auto round_of = [](const ToMember& said) {
-    return std::visit([](const auto& one) { return std::pair(one.sale, one.round); }, said);
-  };
-  return std::any_of(own_calls_.begin(), own_calls_.end(), [&](const ToMember& kept) {
-    return kept.index() == call.index() && round_of(kept) == round_of(call);
-  });
-}
-
-void TeamMember::Core::answer_kept_call() {
-  if (!kept_call_ || !can_answer(kept_call_->second)) return;
-  tell(kept_call_->first, answer(kept_call_->second));
-  kept_call_.reset();
-}
-
-// One after the other: a team of one sells a whole lot without a message.
-void TeamMember::Core::answer_own_calls() {
-  if (!sale_) own_calls_.clear();
-  while (!own_calls_.empty() && can_answer(own_calls_.front())) {
-    const ToMember call = std::move(own_calls_.front());
-    own_calls_.pop_front();
-    if (sale_) take(sale_->auctioneer.handle(answer(call), now_));
+// The own ones one after the other: a team of one sells a whole lot without a message.
+void TeamMember::Core::answer_calls() {
+  if (kept_call_) {
+    if (auto said = answer(kept_call_->second)) {
+      tell(kept_call_->first, std::move(*said));
+      kept_call_.reset();
+    }
   }
+  while (sale_ && !own_calls_.empty()) {
+    const auto said = answer(own_calls_.front());
+    if (!said) break;
+    own_calls_.pop_front();
+    take(sale_->auctioneer.handle(*said, now_));
+  }
+  if (!sale_) own_calls_.clear();
   if (role_ == Role::kHolder && changed_) {
     commit();
     beat();
@@ -147,7 +144,7 @@ void TeamMember::Core::take(SaleEffects effects) {
     if (auto* send = std::get_if<Send>(&effect)) {
       if (send->to != setup_.self)
         tell(send->to, std::move(send->message));
-      else if (!is_kept(send->message))
+      else if (!waits(own_calls_, send->message))
         own_calls_.push_back(std::move(send->message));
     } else if (!std::holds_alternative<Ended>(effect)) {
       sale_->explain(effect, names_);

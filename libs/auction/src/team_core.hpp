@@ -88,11 +88,8 @@ class TeamMember::Core {
   std::set<MemberNumber> present() const;
   bool is_to_sell(const std::set<MemberNumber>& here) const;
   Lot sound_lot();
-  bool can_answer(const ToMember& call);
-  ToAuctioneer answer(const ToMember& call);
-  bool is_kept(const ToMember& call) const;
-  void answer_own_calls();
-  void answer_kept_call();
+  std::optional<ToAuctioneer> answer(const ToMember& call);
+  void answer_calls();
   void take(SaleEffects effects);
   void book_sale();
 

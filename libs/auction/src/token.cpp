@@ -52,8 +52,7 @@ TeamEffects TeamMember::Core::handle(const TeamInput& input, MissionTime now) {
              input);
   if (role_ != Role::kHolder && now_ >= stand_at_) stand(true);
   if (role_ == Role::kHolder) keep_ledger();
-  answer_kept_call();
-  answer_own_calls();
+  answer_calls();
   stored_ |= own_.give_up_claims();
   if (const auto begun = own_.begin_next(committed_, now_)) {
     stored_ = true;

@@ -41,9 +41,10 @@ void JointTask::wait_for_partners() {
 
 // What its supervisor plans again at once is one wait.
 JointTask::Before JointTask::before() const {
-  Before before{my_.phase == JointPhase::kAborted && has_run(), std::nullopt};
+  const bool has_run = play_.has_begun();
+  Before before{my_.phase == JointPhase::kAborted && has_run, std::nullopt};
   const bool just_failed = over_since_ && now() <= *over_since_ + kPlannedAgain;
-  if (just_failed && !has_run()) before.waits_since = waits_since_;
+  if (just_failed && !has_run) before.waits_since = waits_since_;
   return before;
 }
 

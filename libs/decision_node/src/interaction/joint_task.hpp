@@ -63,7 +63,6 @@ class JointTask {
   void load(const Before& before);
   /// What it is to one that is loaded now, after it.
   Before before() const;
-  bool has_run() const { return play_.has_begun(); }
   /// The plan changed: the task has another id, or other possible start times.
   void ask_again(executive::TaskId task, std::vector<mission::Interval> preferences);
   /// The executive starts it.
