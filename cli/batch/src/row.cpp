@@ -7,6 +7,7 @@
 
 #include "skein/assembly/assembly.hpp"
 #include "skein/foundation/exit_code.hpp"
+#include "skein/laws/contact.hpp"
 #include "skein/laws/healing.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/laws/protocol.hpp"
@@ -69,6 +70,7 @@ void ask_laws(const scenario::Scenario& scenario, const std::vector<journal::Rec
     add("protocol", breach);
   for (const std::string& breach : laws::broken_healing(records, laws::healing_limits(scenario)))
     add("healing", breach);
+  for (const std::string& breach : laws::broken_contacts(scenario, records)) add("contact", breach);
 }
 
 Row labelled(const Case& what) {

@@ -78,7 +78,8 @@ void Station::take(const wire::Sample& sample) {
     clock_.update(*clock, node::Waker::steady_now());
     clock_heard_ = true;
   } else if (const auto* link = std::get_if<wire::LinkState>(&sample)) {
-    boards_.links.insert_or_assign(link->header.instance, *link);
+    const bool is_of_one = link->from != 0 && link->to != 0;
+    if (is_of_one) boards_.links.insert_or_assign(link->header.instance, *link);
   } else if (const auto* ground = std::get_if<wire::GroundBoard>(&sample)) {
     boards_.ground = *ground;
   } else if (const auto* uav = std::get_if<wire::UavBoard>(&sample)) {

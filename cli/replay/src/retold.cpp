@@ -298,8 +298,11 @@ Sample Retold::seen(const Record& record) {
 
 Sample Retold::link(const Record& record) const {
   wire::LinkState state;
-  state.from = number_of(record.text("from"));
-  state.to = number_of(record.text("to"));
+  const auto end_of = [&](std::string_view node) {
+    return node == "*" ? blackboard::kEverybody.value() : number_of(node);
+  };
+  state.from = end_of(record.text("from"));
+  state.to = end_of(record.text("to"));
   state.up = record.truth("up");
   state.header.origin = 2;
   state.header.instance = blackboard::link_instance(blackboard::NodeNumber(state.from),

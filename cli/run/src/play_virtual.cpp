@@ -46,7 +46,7 @@ Played play_virtual(const scenario::Scenario& scenario, Progress& progress) {
     return !InterruptGuard::interrupted();
   };
   const node::VirtualOutcome outcome = node::run_virtual(
-      roster, [&](const std::string& name) { return assembly::make_node(scenario, name); },
+      roster, [&](const std::string& name) { return assembly::make_node(scenario, name, roster); },
       assembly::virtual_config(scenario), journal, keep_going);
   played.end = end_of(outcome.end);
   if (played.end == Played::End::kTimeLimit) {

@@ -76,7 +76,8 @@ const UavState& State::uav(const std::string& name) const {
 }
 
 double State::link(const std::string& from, const std::string& to) const {
-  const auto found = links_.find({from, to});
+  auto found = links_.find({from, to});
+  if (found == links_.end()) found = links_.find({"*", "*"});
   return found == links_.end() ? kUnknown : found->second;
 }
 

@@ -11,6 +11,7 @@
 #include "skein/assembly/assembly.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
+#include "skein/laws/contact.hpp"
 #include "skein/laws/healing.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/laws/protocol.hpp"
@@ -32,9 +33,9 @@ std::string one_line(std::string text) {
 
 std::vector<Record> play(const scenario::Scenario& scenario) {
   std::vector<Record> records;
+  const node::Roster roster = scenario_setup::roster_of(scenario);
   node::run_virtual(
-      scenario_setup::roster_of(scenario),
-      [&](const std::string& name) { return assembly::make_node(scenario, name); },
+      roster, [&](const std::string& name) { return assembly::make_node(scenario, name, roster); },
       assembly::virtual_config(scenario), [&](const Record& record) { records.push_back(record); });
   std::stable_sort(records.begin(), records.end(),
                    [](const auto& a, const auto& b) { return a.at() < b.at(); });
@@ -84,6 +85,10 @@ std::vector<laws::Violation> violations_of(const scenario::Scenario& scenario,
   if (wants(options, "healing")) {
     for (const std::string& breach : laws::broken_healing(records, laws::healing_limits(scenario)))
       all.push_back({"healing", 0, "", 0, breach});
+  }
+  if (wants(options, "contact")) {
+    for (const std::string& breach : laws::broken_contacts(scenario, records))
+      all.push_back({"contact", 0, "", 0, breach});
   }
   if (options.twice && wants(options, "same-bytes") && text_of(play(scenario)) != text_of(records))
     all.push_back({"same-bytes", 0, "", 0, "played again, the event log is another"});
@@ -182,6 +187,7 @@ std::vector<Judged> all_judged() {
                  "in order"});
   all.push_back(
       {{"healing"}, "what was waiting comes soon after a link is back, no event is lost unsaid"});
+  all.push_back({{"contact"}, "nobody is in contact whom the radio does not connect"});
   all.push_back({{"crash", "hang"}, "a run ends"});
   all.push_back({{"same-bytes"}, "played again, the event log is the same (with --twice)"});
   return all;

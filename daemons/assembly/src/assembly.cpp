@@ -13,10 +13,15 @@ namespace skein::assembly {
 using scenario::Scenario;
 
 std::unique_ptr<node::Node> make_node(const Scenario& scenario, const std::string& name) {
+  return make_node(scenario, name, scenario_setup::roster_of(scenario));
+}
+
+std::unique_ptr<node::Node> make_node(const Scenario& scenario, const std::string& name,
+                                      const node::Roster& roster) {
   if (name == "ground") return ground_setup::make_ground(scenario);
   if (const scenario::UavSpec* uav = scenario.find_uav(name))
-    return ddn_setup::make_ddn(scenario, *uav);
-  SKEIN_EXPECTS(scenario_setup::roster_of(scenario).find(name) != nullptr);
+    return ddn_setup::make_ddn(scenario, *uav, roster);
+  SKEIN_EXPECTS(roster.find(name) != nullptr);
   return sim_setup::make_sim(scenario, name);
 }
 
@@ -41,6 +46,7 @@ node::VirtualConfig virtual_config(const Scenario& scenario) {
   config.heartbeat_period = scenario.radio.heartbeat;
   config.capacity = scenario_setup::capacity_of(scenario);
   config.silent_cuts = scenario.radio.silent;
+  config.meets_when_told = true;
   for (const scenario::KillSpec& kill : scenario.faults.kills) {
     std::optional<MissionTime> restart;
     if (kill.restart_after) restart = kill.at + *kill.restart_after;

@@ -43,11 +43,7 @@ constexpr Duration kDetours = Duration::milliseconds(250);
 
 dn::Config decision_config(const DdnConfig& config, const node::Roster& roster) {
   dn::Config result = config;
-  for (const node::Member& member : roster.members()) {
-    if (member.role == wire::Role::kDdn && member.name != config.uav) {
-      result.others.push_back(member.name);
-    }
-  }
+  result.others = dn::OtherUavs(roster.uavs(), config.uav);
   return result;
 }
 

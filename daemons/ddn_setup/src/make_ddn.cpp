@@ -17,6 +17,11 @@ constexpr double kHomeAltitude = 40;  ///< [m] above the ground at the start, on
 }  // namespace
 
 std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& uav) {
+  return make_ddn(scenario, uav, scenario_setup::roster_of(scenario));
+}
+
+std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& uav,
+                                     const node::Roster& roster) {
   ddn::DdnConfig config;
   config.uav = uav.name;
   config.degree = uav.degree;
@@ -40,7 +45,6 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
     config.partner_lease = scenario.planning->partner_lease;
     if (first != first_ids.end()) config.first_task = first->second;
   }
-  const node::Roster roster = scenario_setup::roster_of(scenario);
   const std::vector<std::string> merging = scenario_setup::merging_uavs(scenario);
   if (!merging.empty() && !config.drives) {
     config.merging = {merging,

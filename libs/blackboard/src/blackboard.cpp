@@ -2,6 +2,9 @@
 // The public face of the blackboard.
 #include "skein/blackboard/blackboard.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "blackboard_impl.hpp"
 
 namespace skein::blackboard {
@@ -45,7 +48,19 @@ void Blackboard::set_condition(NodeNumber from, NodeNumber to, const ChannelCond
   impl_->set_condition(from, to, condition, now);
 }
 
-std::vector<Incoming> Blackboard::step(Now now) { return impl_->step(now); }
+std::vector<Incoming> Blackboard::step(Now now) {
+  std::vector<Incoming> all = impl_->receive(now);
+  std::ranges::move(impl_->act(now), std::back_inserter(all));
+  return all;
+}
+
+std::vector<Incoming> Blackboard::receive(Now now) { return impl_->receive(now); }
+
+std::vector<Incoming> Blackboard::act(Now now) { return impl_->act(now); }
+
+bool Blackboard::knows(NodeNumber peer) const { return impl_->peer(peer) != nullptr; }
+
+std::size_t Blackboard::channels() const { return impl_->channels(); }
 
 std::optional<Duration> Blackboard::next_wakeup() const { return impl_->next_wakeup(); }
 

@@ -110,6 +110,30 @@ Result<void, Failure> Blackboard::Impl::add_channel(std::size_t index) {
   return {};
 }
 
+Peer* Blackboard::Impl::met(NodeNumber number, Now now) {
+  const auto known = peers_.find(number);
+  if (known != peers_.end()) return &known->second;
+  if (!config_.channels_with || number == config_.self) return nullptr;
+  const std::vector<ChannelConfig> added = config_.channels_with(number);
+  if (added.empty()) return nullptr;
+  const std::size_t first = config_.channels.size();
+  for (const ChannelConfig& channel : added) {
+    const auto index = transport_.add(channel);
+    SKEIN_ENSURES(index == config_.channels.size());
+    config_.channels.push_back(channel);
+  }
+  for (std::size_t i = first; i < config_.channels.size(); ++i)
+    SKEIN_ENSURES(add_channel(i).has_value());
+  Peer& peer = peers_.at(number);
+  for (const ChannelConfig& channel : added)
+    senders_.push_back(channel.from == number ? &peer : nullptr);
+  const ChannelCondition down{.up = false, .latency = {}};
+  peer.set_outgoing(down, now);
+  peer.set_incoming(down);
+  plan(peer);
+  return &peer;
+}
+
 const Peer* Blackboard::Impl::peer(NodeNumber number) const {
   const auto found = peers_.find(number);
   return found == peers_.end() ? nullptr : &found->second;
@@ -128,14 +152,13 @@ void Blackboard::Impl::stamp(wire::SampleHeader& header, NodeNumber to, std::uin
 
 Result<std::uint64_t, Refusal> Blackboard::Impl::send(wire::Sample sample, NodeNumber to, Now now,
                                                       SendOptions options) {
-  const auto found = peers_.find(to);
+  Peer* found = met(to, now);
   const wire::Slot slot = wire::slot_of(sample);
-  if (found == peers_.end() ||
-      !config_.channels[found->second.channels().outgoing].originates(slot)) {
+  if (found == nullptr || !config_.channels[found->channels().outgoing].originates(slot)) {
     return tl::unexpected(Refusal::kNoChannel);
   }
   if (wire::find_violation(sample)) return tl::unexpected(Refusal::kMalformed);
-  Peer& peer = found->second;
+  Peer& peer = *found;
   if (is_event(slot)) return send_event(peer, std::move(sample), now, options);
   stamp(wire::header_of(sample), to, ++sequence_, now);
   const std::uint64_t sequence_of_value = sequence_;
@@ -205,23 +228,23 @@ Result<std::uint64_t, Refusal> Blackboard::Impl::publish(wire::Sample sample, No
 
 void Blackboard::Impl::recall_sent(wire::Sample sample, NodeNumber to, MissionTime at,
                                    SendOptions options) {
-  const auto found = peers_.find(to);
   const wire::Slot slot = wire::slot_of(sample);
-  if (found == peers_.end() || !is_event(slot)) return;
-  if (!config_.channels[found->second.channels().outgoing].originates(slot) ||
+  Peer* found = is_event(slot) ? met(to, {at, {}}) : nullptr;
+  if (found == nullptr) return;
+  if (!config_.channels[found->channels().outgoing].originates(slot) ||
       wire::find_violation(sample))
     return;
-  Peer& peer = found->second;
+  Peer& peer = *found;
   address(sample, peer, options.expires, {at, {}});
   peer.recall_sent(std::move(sample), options.receipt);
   plan(peer);
 }
 
 void Blackboard::Impl::recall_received(wire::Slot slot, const wire::SampleHeader& header) {
-  const auto found = peers_.find(NodeNumber(header.origin));
-  if (found == peers_.end()) return;
+  Peer* found = met(NodeNumber(header.origin), {});
+  if (found == nullptr) return;
   if (is_event(slot)) {
-    found->second.recall_received(header);
+    found->recall_received(header);
   } else if (slot != wire::Slot::kHeartbeat) {
     freshness_.admit(slot, header);
   }
@@ -231,9 +254,11 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
                                      const ChannelCondition& condition, Now now) {
   const bool outgoing = from == config_.self;
   if (!outgoing && to != config_.self) return;
-  const auto found = peers_.find(outgoing ? to : from);
-  if (found == peers_.end()) return;
-  Peer& peer = found->second;
+  const NodeNumber number = outgoing ? to : from;
+  if (!condition.up && !peers_.contains(number)) return;
+  Peer* found = met(number, now);
+  if (found == nullptr) return;
+  Peer& peer = *found;
   if (outgoing) {
     const bool changes = condition.up != peer.outgoing_condition().up;
     if (changes && !condition.up) {
@@ -257,12 +282,16 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
   }
 }
 
-std::vector<Incoming> Blackboard::Impl::step(Now now) {
+std::vector<Incoming> Blackboard::Impl::receive(Now now) {
   for (Peer* peer : heard_) peer->commit();
   heard_.clear();
   connections_.update(now.steady, out_);
   for (Arrival& arrival : transport_.take()) arrive(std::move(arrival), now);
   while (auto due = delayed_.take_due(now.steady)) admit(due->channel, std::move(due->sample), now);
+  return std::exchange(out_, {});
+}
+
+std::vector<Incoming> Blackboard::Impl::act(Now now) {
   for (const NodeNumber number : agenda_.due(now)) {
     Peer& peer = peers_.at(number);
     peer.update(now, out_);
@@ -292,10 +321,10 @@ void Blackboard::Impl::serve(Peer& peer, Now now) {
 }
 
 void Blackboard::Impl::change(NodeNumber number, const std::function<void(Peer&)>& change) {
-  const auto found = peers_.find(number);
-  if (found == peers_.end()) return;
-  change(found->second);
-  plan(found->second);
+  Peer* found = met(number, {});
+  if (found == nullptr) return;
+  change(*found);
+  plan(*found);
 }
 
 void Blackboard::Impl::plan(const Peer& peer) {

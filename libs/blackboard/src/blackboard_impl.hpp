@@ -39,18 +39,24 @@ class Blackboard::Impl {
                                       SendOptions options);
   Result<std::uint64_t, Refusal> publish(wire::Sample sample, Now now);
   void set_condition(NodeNumber from, NodeNumber to, const ChannelCondition& condition, Now now);
-  std::vector<Incoming> step(Now now);
+  std::vector<Incoming> receive(Now now);
+  std::vector<Incoming> act(Now now);
   std::optional<Duration> next_wakeup() const;
   std::optional<MissionTime> next_expiry() const;
   void recall_sent(wire::Sample sample, NodeNumber to, MissionTime at, SendOptions options);
   void recall_received(wire::Slot slot, const wire::SampleHeader& header);
-  /// Applies `change` to a peer and updates its due times. No effect for nodes that are no peers.
+  /// Applies `change` to a peer, as it was in a former life, and updates its due times. No effect
+  /// for nodes that are no peers.
   void change(NodeNumber number, const std::function<void(Peer&)>& change);
   const Peer* peer(NodeNumber number) const;
+  std::size_t channels() const { return config_.channels.size(); }
   MissionTime latest_heard() const { return latest_heard_; }
 
  private:
   Result<void, Failure> add_channel(std::size_t index);
+  /// The peer with this number, whose channels are added if there are none yet (see
+  /// Config::channels_with); null: it is no peer.
+  Peer* met(NodeNumber number, Now now);
   void stamp(wire::SampleHeader& header, NodeNumber to, std::uint64_t sequence, Now now) const;
   /// Gives an event its header.
   void address(wire::Sample& event, const Peer& peer, MissionTime expires, Now now) const;

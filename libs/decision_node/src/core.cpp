@@ -140,8 +140,7 @@ void Core::on(const Contact& contact) {
 }
 
 void Core::declare_lost(const std::string& uav) {
-  const std::vector<std::string>& others = config_.others;
-  if (std::find(others.begin(), others.end(), uav) == others.end()) return;
+  if (!config_.others.contains(uav)) return;
   partners_.declare_lost(uav);
   bus_.emit(Notice{"'" + uav + "' is declared lost: nobody here waits for it any more"});
   bus_.post([this] {

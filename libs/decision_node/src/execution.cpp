@@ -202,7 +202,7 @@ bool Execution::synchronises_directly(const std::string& uav) const {
 
 void Execution::carry_out(const executive::SendSync& sync, const Asked&) {
   const Config& config = core_.config();
-  if (std::find(config.others.begin(), config.others.end(), sync.to) == config.others.end()) {
+  if (!config.others.contains(sync.to)) {
     return core_.bus().emit(Notice{"no UAV '" + sync.to + "' to synchronise with"});
   }
   // One that would count no more when it comes need not come: it is said again.

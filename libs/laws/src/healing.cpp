@@ -11,6 +11,7 @@
 #include "skein/journal/hand_on.hpp"
 #include "skein/journal/lines/radio.hpp"
 #include "skein/journal/lines/truth.hpp"
+#include "told_links.hpp"
 #include "ways.hpp"
 
 namespace skein::laws {
@@ -66,6 +67,7 @@ class Judge {
   }
 
   void hear(const lines::Link& line, const Written& when) {
+    if (line.from == kEveryLink) return void(others_are_up_ = line.up);
     links_[{line.from, line.to}].push_back({when.at, line.up});
   }
   void hear(const lines::Reach& line, const Written& when) {
@@ -100,7 +102,7 @@ class Judge {
   }
 
   bool is_up(const Channel& channel, MissionTime at) const {
-    return state(links_, channel, at, true);
+    return state(links_, channel, at, others_are_up_);
   }
 
   static bool state(const std::map<Channel, std::vector<Change>>& of, const Channel& channel,
@@ -201,6 +203,7 @@ class Judge {
 
   HealingLimits limits_;
   MissionTime end_;
+  bool others_are_up_ = true;  ///< links that no line is about
   std::map<Channel, std::vector<Change>> links_;
   std::map<Channel, std::vector<Change>> reach_;  ///< from: who is reached; to: who says so
   std::map<Channel, std::map<std::uint64_t, Message>> messages_;

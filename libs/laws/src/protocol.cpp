@@ -12,6 +12,7 @@
 #include "skein/journal/lines/mission.hpp"
 #include "skein/journal/lines/radio.hpp"
 #include "skein/journal/lines/truth.hpp"
+#include "told_links.hpp"
 #include "ways.hpp"
 
 namespace skein::laws {
@@ -109,7 +110,9 @@ class Checker {
 
   void hear(const lines::Link& line, const Written& when) {
     const Channel channel{line.from, line.to};
-    if (simulator_dead_) {
+    if (line.from == kEveryLink) {
+      others_are_up_ = line.up;
+    } else if (simulator_dead_) {
       unheard_[channel] = line.up;
     } else {
       set_link(channel, line.up, when.at);
@@ -209,7 +212,8 @@ class Checker {
       const Duration moment = Duration::seconds(kMoment * static_cast<double>(links));
       const auto carries = [&](const std::string& from, const std::string& to) {
         const auto down = down_since_.find({from, to});
-        return down == down_since_.end() || at <= down->second + moment;
+        if (down != down_since_.end()) return at <= down->second + moment;
+        return others_are_up_ || told_.contains({from, to});
       };
       if (has_way(channel.first, channel.second, relays_, links, carries)) return true;
     }
@@ -217,6 +221,7 @@ class Checker {
   }
 
   void set_link(const Channel& channel, bool up, MissionTime at) {
+    told_.insert(channel);
     if (up) {
       down_since_.erase(channel);
     } else {
@@ -245,6 +250,8 @@ class Checker {
   std::map<Channel, std::set<std::uint64_t>> sent_;
   std::map<Channel, std::uint64_t> received_, received_long_;
   std::map<Channel, MissionTime> down_since_;
+  std::set<Channel> told_;        ///< links that some line is about
+  bool others_are_up_ = true;     ///< all other links
   std::set<std::string> relays_;  ///< past whom somebody has told that its samples go
   bool simulator_dead_ = false;
   std::optional<MissionTime> ground_dead_since_;

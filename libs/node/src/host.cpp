@@ -2,6 +2,7 @@
 #include "skein/node/host.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "recollection.hpp"
@@ -54,13 +55,32 @@ void add_clock(std::vector<blackboard::ChannelConfig>& channels) {
 
 /// So that what a node sends does not ask too much of its radio before, and where, nobody says what
 /// that can carry.
-void declare_capacities(std::vector<blackboard::ChannelConfig>& channels, const Roster& roster,
-                        const HostConfig& config) {
+std::vector<blackboard::ChannelConfig> with_capacities(
+    std::vector<blackboard::ChannelConfig> channels, const Roster& roster,
+    const HostConfig& config) {
   for (blackboard::ChannelConfig& channel : channels) {
     if (channel.kind != ChannelKind::kRadio) continue;
     channel.capacity = config.share_of_samples * config.rate *
                        config.capacity.of(roster.name_of(channel.from), roster.name_of(channel.to));
   }
+  return channels;
+}
+
+/// All channels at once, or those with other UAVs when they are needed. Relays hear of nodes that
+/// were never in their own reach.
+void plan_channels(blackboard::Config& board, const Roster& roster, const Member& self,
+                   const HostConfig& config) {
+  const bool waits =
+      config.meets_when_told && roster.relays().empty() && self.role == wire::Role::kDdn;
+  board.channels = with_capacities(
+      waits ? roster.channels_but_between_uavs(self) : roster.channels_of(self), roster, config);
+  if (!waits) return;
+  board.channels_with = [roster, self, config](NodeNumber other) {
+    const Member* member = roster.find(other);
+    if (member == nullptr || member->role != wire::Role::kDdn)
+      return std::vector<blackboard::ChannelConfig>();
+    return with_capacities(roster.channels_between(self, *member), roster, config);
+  };
 }
 
 bool is_world(const blackboard::ChannelConfig& channel) {
@@ -88,8 +108,7 @@ Result<std::unique_ptr<Host>, OpenFailure> Host::open(const Roster& roster, cons
   blackboard::Config board;
   board.self = self.number;
   board.incarnation = config.incarnation;
-  board.channels = roster.channels_of(self);
-  declare_capacities(board.channels, roster, config);
+  plan_channels(board, roster, self, config);
   if (config.leads_clock) add_clock(board.channels);
   if (config.world) {
     board.world_reads = roster.world_reads_of(self.role);
@@ -137,12 +156,7 @@ Host::Host(const Roster& roster, const Member& self, std::unique_ptr<Node> node,
       blackboard_(std::move(blackboard)),
       config_(config),
       ports_(std::move(ports)),
-      node_due_(node_->next_wakeup()) {
-  for (const auto& channel : roster_.channels_of(self_)) {
-    if (channel.kind == ChannelKind::kWorld) continue;
-    peers_.insert(channel.from == self_.number ? channel.to : channel.from);
-  }
-}
+      node_due_(node_->next_wakeup()) {}
 
 void Host::start(Now now) {
   SKEIN_EXPECTS(!started_);
@@ -161,7 +175,9 @@ void Host::start(Now now) {
 }
 
 bool Host::step(Now now) {
-  std::vector<blackboard::Incoming> incoming = blackboard_.step(now);
+  std::vector<blackboard::Incoming> incoming = blackboard_.receive(now);
+  apply_links(incoming, now);
+  std::ranges::move(blackboard_.act(now), std::back_inserter(incoming));
   bool busy = !incoming.empty();
   note_settled(now);
   for (auto& one : incoming) take(std::move(one), now);
@@ -180,7 +196,8 @@ Result<void, Failure> Host::recall(Survey past) {
   lines_ = std::min(recollection.lines(), config_.memory->lines_told());
   sends_ = recollection.sends();
   for (const auto& [peer, reachable] : recollection.reachable()) heard_.insert(peer);
-  for (const NodeNumber peer : peers_) {
+  for (const NodeNumber peer : roster_.peers_of(self_)) {
+    if (!blackboard_.knows(peer)) continue;
     const std::uint64_t settled = blackboard_.settled(peer);
     unsettled_[{peer, false}] = {settled, settled + 1};
     const std::uint64_t settled_long = blackboard_.settled_long(peer);
@@ -243,8 +260,10 @@ void Host::say(const Member& from, wire::Sample sample, Now now) {
 }
 
 bool Host::all_peers_heard() const {
-  return std::all_of(peers_.begin(), peers_.end(), [&](NodeNumber peer) {
-    return heard_.count(peer) > 0 || down_.count(peer) > 0;
+  return std::ranges::all_of(roster_.peers_of(self_), [&](NodeNumber peer) {
+    if (heard_.contains(peer) || down_.contains(peer)) return true;
+    return others_are_down_ && is_radio_peer(roster_, peer) &&
+           !told_.contains({peer, self_.number});
   });
 }
 
@@ -376,7 +395,6 @@ void Host::take(blackboard::Incoming incoming, Now now) {
 }
 
 void Host::take_received(blackboard::Received received, Now now) {
-  if (const auto* link = std::get_if<wire::LinkState>(&received.sample)) apply(*link, now);
   if (received.channel == ChannelKind::kWorld) {
     if (ports_.world) ports_.world(received.sample);
     if (!started_ || !is_for_nodes(wire::slot_of(received.sample))) return;
@@ -409,24 +427,51 @@ void Host::log_older(const blackboard::TakenForOlder& one, Now now) {
       now);
 }
 
-void Host::apply(const wire::LinkState& link, Now now) {
+void Host::apply_links(const std::vector<blackboard::Incoming>& incoming, Now now) {
   if (config_.told == ToldOfLinks::kNothing) return;
+  for (const blackboard::Incoming& one : incoming) {
+    const auto* received = std::get_if<blackboard::Received>(&one);
+    if (received == nullptr) continue;
+    const auto* link = std::get_if<wire::LinkState>(&received->sample);
+    if (link == nullptr) continue;
+    const bool is_of_one = link->from != 0 && link->to != 0;
+    is_of_one ? apply(*link, now) : apply_to_others(*link, now);
+  }
+}
+
+void Host::apply(const wire::LinkState& link, Now now) {
   const NodeNumber from(link.from);
   const NodeNumber to(link.to);
   if (from != self_.number && to != self_.number) return;
+  told_.insert({from, to});
   const NodeNumber peer = from == self_.number ? to : from;
-  const bool up = link.up || config_.told == ToldOfLinks::kNotOfCuts;
-  if (up) {
+  const blackboard::ChannelCondition condition = condition_of(link);
+  if (condition.up) {
     down_.erase(peer);
   } else {
     down_.insert(peer);
   }
+  blackboard_.set_condition(from, to, condition, now);
+}
+
+void Host::apply_to_others(const wire::LinkState& link, Now now) {
+  const blackboard::ChannelCondition condition = condition_of(link);
+  others_are_down_ = !condition.up;
+  for (const NodeNumber peer : roster_.peers_of(self_)) {
+    if (!is_radio_peer(roster_, peer) || !is_radio_peer(roster_, self_.number)) continue;
+    if (!blackboard_.knows(peer)) continue;
+    for (const auto& [from, to] : {std::pair(self_.number, peer), std::pair(peer, self_.number)})
+      if (!told_.contains({from, to})) blackboard_.set_condition(from, to, condition, now);
+  }
+}
+
+blackboard::ChannelCondition Host::condition_of(const wire::LinkState& link) const {
   blackboard::ChannelCondition condition;
-  condition.up = up;
+  condition.up = link.up || config_.told == ToldOfLinks::kNotOfCuts;
   condition.latency = Duration::seconds(static_cast<double>(link.latency) * 1e-9 / config_.rate);
   condition.loss = link.loss;
   condition.capacity = link.capacity * config_.rate * config_.share_of_samples;
-  blackboard_.set_condition(from, to, condition, now);
+  return condition;
 }
 
 void Host::log_unsent(wire::Slot slot, const std::string& to, blackboard::Refusal why, Now now) {

@@ -40,30 +40,43 @@ blackboard::Node as_node(const Member& member) { return {member.number, member.n
 
 Roster::Roster(const std::vector<std::string>& uavs,
                const std::map<std::string, std::string>& functional)
-    : members_{{"ground", Role::kGround, NodeNumber(1)},
-               {"sim", Role::kSim, NodeNumber(2)},
-               {"runner", Role::kRunner, NodeNumber(3)},
-               {"operator", Role::kOperator, NodeNumber(4)}},
-      slots_(std::shared_ptr<void>(), &blackboard::SlotTable::shipped()) {
+    : slots_(std::shared_ptr<void>(), &blackboard::SlotTable::shipped()) {
+  std::vector<Member> members{{"ground", Role::kGround, NodeNumber(1)},
+                              {"sim", Role::kSim, NodeNumber(2)},
+                              {"runner", Role::kRunner, NodeNumber(3)},
+                              {"operator", Role::kOperator, NodeNumber(4)}};
   std::uint32_t number = kFirstUav;
-  for (const std::string& uav : uavs) members_.push_back({uav, Role::kDdn, NodeNumber(number++)});
+  for (const std::string& uav : uavs) members.push_back({uav, Role::kDdn, NodeNumber(number++)});
+  std::map<NodeNumber, NodeNumber> layers;
+  std::map<std::string, NodeNumber> numbers;
   number = kFirstFunctional;
-  for (const std::string& uav : uavs) {
-    const auto named = functional.find(uav);
+  for (std::size_t i = 0; i < uavs.size(); ++i) {
+    const auto named = functional.find(uavs[i]);
     if (named == functional.end()) continue;
-    if (find(named->second) == nullptr) {
-      members_.push_back({named->second, Role::kFunctional, NodeNumber(number++)});
-    }
-    functional_.emplace(find(uav)->number, find(named->second)->number);
+    const auto [layer, is_new] = numbers.try_emplace(named->second, number);
+    if (is_new) members.push_back({named->second, Role::kFunctional, NodeNumber(number++)});
+    layers.emplace(NodeNumber(kFirstUav + static_cast<std::uint32_t>(i)), layer->second);
   }
+  set_members(std::move(members));
+  functional_ = std::make_shared<const std::map<NodeNumber, NodeNumber>>(std::move(layers));
 }
 
 Roster Roster::only(const std::vector<std::string>& names) const {
-  Roster some = *this;
-  std::erase_if(some.members_, [&](const Member& member) {
+  std::vector<Member> some = *members_;
+  std::erase_if(some, [&](const Member& member) {
     return std::find(names.begin(), names.end(), member.name) == names.end();
   });
-  return some;
+  Roster roster = *this;
+  roster.set_members(std::move(some));
+  return roster;
+}
+
+void Roster::set_members(std::vector<Member> members) {
+  std::vector<std::string> uavs;
+  for (const Member& member : members)
+    if (member.role == Role::kDdn) uavs.push_back(member.name);
+  uavs_ = std::make_shared<const std::vector<std::string>>(std::move(uavs));
+  members_ = std::make_shared<const std::vector<Member>>(std::move(members));
 }
 
 Roster Roster::relayed_by(const std::vector<std::string>& names) const {
@@ -82,8 +95,8 @@ Roster Roster::with_slots(blackboard::SlotTable table) const {
 }
 
 NodeNumber Roster::functional_of(NodeNumber uav) const {
-  const auto found = functional_.find(uav);
-  return found == functional_.end() ? sim() : found->second;
+  const auto found = functional_->find(uav);
+  return found == functional_->end() ? sim() : found->second;
 }
 
 bool Roster::serves(const Member& functional, const Member& uav) const {
@@ -92,15 +105,13 @@ bool Roster::serves(const Member& functional, const Member& uav) const {
 }
 
 const Member* Roster::find(std::string_view name) const {
-  const auto found = std::find_if(members_.begin(), members_.end(),
-                                  [&](const Member& member) { return member.name == name; });
-  return found == members_.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(*members_, name, &Member::name);
+  return found == members_->end() ? nullptr : &*found;
 }
 
 const Member* Roster::find(NodeNumber number) const {
-  const auto found = std::find_if(members_.begin(), members_.end(),
-                                  [&](const Member& member) { return member.number == number; });
-  return found == members_.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(*members_, number, &Member::number);
+  return found == members_->end() ? nullptr : &*found;
 }
 
 std::string Roster::name_of(NodeNumber number) const {
@@ -110,28 +121,52 @@ std::string Roster::name_of(NodeNumber number) const {
 
 std::map<NodeNumber, std::string> Roster::names() const {
   std::map<NodeNumber, std::string> names;
-  for (const Member& member : members_) names.emplace(member.number, member.name);
+  for (const Member& member : *members_) names.emplace(member.number, member.name);
   return names;
 }
 
 std::vector<blackboard::ChannelConfig> Roster::channels_of(const Member& member) const {
-  std::vector<blackboard::ChannelConfig> channels{blackboard::world_channel()};
-  channels.front().slots = slots_->between(party_of(member.role), Party::kWorld);
-  const auto add = [&](const std::vector<blackboard::ChannelConfig>& link) {
+  std::vector<blackboard::ChannelConfig> channels = channels_but_between_uavs(member);
+  if (member.role != Role::kDdn) return channels;
+  for (const Member& other : *members_) {
+    if (other.role != Role::kDdn) continue;
+    const auto link = channels_between(member, other);
     channels.insert(channels.end(), link.begin(), link.end());
-  };
-  for (const Member& other : members_) {
-    if (other.number == member.number) continue;
-    if (has_radio(member.role) && has_radio(other.role)) {
-      add(radio_between(member, other));
-    } else if (serves(other, member)) {
-      add(blackboard::onboard_link(as_node(member), as_node(other), *slots_));
-    } else if (serves(member, other)) {
-      add(blackboard::onboard_link(as_node(other), as_node(member), *slots_));
-    }
   }
   channels.shrink_to_fit();  // kept by every node of a large team
   return channels;
+}
+
+std::vector<blackboard::ChannelConfig> Roster::channels_but_between_uavs(
+    const Member& member) const {
+  std::vector<blackboard::ChannelConfig> channels{blackboard::world_channel()};
+  channels.front().slots = slots_->between(party_of(member.role), Party::kWorld);
+  for (const Member& other : *members_) {
+    if (member.role == Role::kDdn && other.role == Role::kDdn) continue;
+    const auto link = channels_between(member, other);
+    channels.insert(channels.end(), link.begin(), link.end());
+  }
+  return channels;
+}
+
+std::vector<blackboard::ChannelConfig> Roster::channels_between(const Member& a,
+                                                                const Member& b) const {
+  if (!are_connected(a, b)) return {};
+  if (has_radio(a.role) && has_radio(b.role)) return radio_between(a, b);
+  const bool is_served = serves(b, a);
+  return blackboard::onboard_link(as_node(is_served ? a : b), as_node(is_served ? b : a), *slots_);
+}
+
+std::vector<NodeNumber> Roster::peers_of(const Member& member) const {
+  std::vector<NodeNumber> peers;
+  for (const Member& other : *members_)
+    if (are_connected(member, other)) peers.push_back(other.number);
+  return peers;
+}
+
+bool Roster::are_connected(const Member& a, const Member& b) const {
+  if (a.number == b.number) return false;
+  return (has_radio(a.role) && has_radio(b.role)) || serves(a, b) || serves(b, a);
 }
 
 std::vector<blackboard::ChannelConfig> Roster::radio_between(const Member& a,

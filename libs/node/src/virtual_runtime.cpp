@@ -128,6 +128,7 @@ class VirtualRun {
     config.forgets = forgets;
     if (config_.silent_cuts) config.told = ToldOfLinks::kNotOfCuts;
     config.capacity = config_.capacity;
+    config.meets_when_told = config_.meets_when_told && !config_.silent_cuts;
     auto host = Host::open(roster_, *seat.member, make_node_(seat.member->name), *seat.transport,
                            config, ports_of(seat));
     SKEIN_ENSURES(host.has_value());
@@ -144,7 +145,10 @@ class VirtualRun {
     if (config_.silent_cuts) {
       ports.witness = [this](const wire::Sample& sample) {
         const auto* link = std::get_if<wire::LinkState>(&sample);
-        if (link != nullptr) hub_.carry(NodeNumber(link->from), NodeNumber(link->to), link->up);
+        if (link == nullptr) return;
+        const bool is_of_one = link->from != 0 && link->to != 0;
+        if (!is_of_one) return hub_.carry_others(link->up);
+        hub_.carry(NodeNumber(link->from), NodeNumber(link->to), link->up);
       };
     }
     ports.start_job = [this, name = seat.member->name, life = seat.incarnation](StartJob job) {

@@ -134,9 +134,13 @@ void SimNode::take(const PerceptionOut& out_of, node::Effects& out) const {
 
 void SimNode::take(const LinkChange& link, node::Effects& out) const {
   wire::LinkState sample;
-  sample.from = number_of(link.from).value();
-  sample.to = number_of(link.to).value();
-  sample.header.instance = blackboard::link_instance(number_of(link.from), number_of(link.to));
+  const auto end_of = [this](const std::string& name) {
+    return name == kEveryLink ? blackboard::kEverybody : number_of(name);
+  };
+  const node::NodeNumber from = end_of(link.from), to = end_of(link.to);
+  sample.from = from.value();
+  sample.to = to.value();
+  sample.header.instance = blackboard::link_instance(from, to);
   sample.up = link.up;
   sample.latency = link.latency.count();
   sample.loss = link.up ? link.loss : 0;

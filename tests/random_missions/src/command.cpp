@@ -39,6 +39,7 @@ struct Options {
        mixed = false, anything = false, sweepers = false, json = false, minimise = false,
        verbose = false;
   std::size_t examples = 3;
+  std::int64_t capacity = 0;
   JudgeOptions judge;
 };
 
@@ -82,6 +83,10 @@ Mission drawn(std::uint64_t seed, const Options& options) {
   Mission mission = drawn_as_kind(seed, options);
   if (options.merged) mission.separation = "{merge: true}";
   if (options.unmerged) mission.separation = "{merge: false}";
+  if (options.capacity > 0) {
+    std::erase_if(mission.radio, [](const auto& one) { return one.starts_with("capacity:"); });
+    mission.radio.push_back("capacity: " + std::to_string(options.capacity));
+  }
   return mission;
 }
 
@@ -229,6 +234,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--seeds", options.seeds, "A..B: one mission each");
   app.add_option("--law", options.judge.only, "only this law (crash is one); may be repeated")
       ->allow_extra_args(false);
+  app.add_option("--capacity", options.capacity,
+                 "of every link in each direction, in bit/s; as drawn without it")
+      ->check(CLI::Range(std::int64_t{1'000}, std::int64_t{1'000'000'000}));
   app.add_flag("--clean", options.clean, "missions in which nothing goes wrong");
   app.add_flag("--deaths", options.deaths,
                "daemons die in them, up to three times, and come back with what they knew");

@@ -24,7 +24,7 @@ bool partitions_match(const std::string& writer, const std::string& reader) {
 /// The nodes that a sample of the world is about, if it is about two only.
 std::optional<std::array<NodeNumber, 2>> pair_of(ChannelKind kind, const wire::Sample& sample) {
   const auto* link = std::get_if<wire::LinkState>(&sample);
-  if (link == nullptr || kind != ChannelKind::kWorld) return std::nullopt;
+  if (link == nullptr || kind != ChannelKind::kWorld || link->from == 0) return std::nullopt;
   return std::array{NodeNumber(link->from), NodeNumber(link->to)};
 }
 
@@ -100,9 +100,8 @@ void MemoryHub::inject(const std::string& name,
 }
 
 void MemoryHub::carry(NodeNumber from, NodeNumber to, bool carried) {
-  const bool changes =
-      carried ? silenced_.erase({from, to}) > 0 : silenced_.emplace(from, to).second;
-  if (!changes || !carried) return;
+  bool& carries = carried_.try_emplace({from, to}, others_are_carried_).first->second;
+  if (std::exchange(carries, carried) == carried || !carried) return;
   for (const auto& [name, one] : partitions_) {
     for (const End& writer : one.writers) {
       if (writer.node->self_ != from || !writer.node->is_radio(writer.channel)) continue;
@@ -113,7 +112,8 @@ void MemoryHub::carry(NodeNumber from, NodeNumber to, bool carried) {
 }
 
 bool MemoryHub::carries(const MemoryTransport& from, const MemoryTransport& to) const {
-  return silenced_.empty() || !silenced_.contains({from.self_, to.self_});
+  const auto found = carried_.find({from.self_, to.self_});
+  return found == carried_.end() ? others_are_carried_ : found->second;
 }
 
 class MemoryTransport::Boxed {
@@ -146,26 +146,41 @@ Result<void, Failure> MemoryTransport::open(const TransportPlan& plan) {
   self_ = plan.self;
   channels_.reserve(plan.channels.size());
   for (const ChannelConfig& config : plan.channels) {
-    Channel channel;
-    channel.kind = config.kind;
-    channel.by_pattern = is_pattern(config.partition);
     const bool world = config.kind == ChannelKind::kWorld;
-    channel.writes = world || config.from == plan.self;
-    channel.reads = world || config.from != plan.self;
-    for (const wire::Slot slot : world ? plan.world_reads : config.slots)
-      channel.read_slots.set(static_cast<std::size_t>(slot));
-    if (!world) channel.read_slots.set(static_cast<std::size_t>(wire::Slot::kHeartbeat));
-    channels_.push_back(std::move(channel));
+    channels_.push_back(channel_of(config, world ? plan.world_reads : config.slots));
   }
   order_ = hub_.opened_++;
-  for (std::size_t i = 0; i < channels_.size(); ++i) {
-    Channel& channel = channels_[i];
-    const std::string& name = plan.channels[i].partition;
-    hub_.join({this, i}, name, channel.writes, channel.reads);
-    channel.partition = &hub_.partition(name);
-  }
+  for (std::size_t i = 0; i < channels_.size(); ++i) join(i, plan.channels[i].partition);
   take_what_is_kept();
   return {};
+}
+
+Result<std::size_t, Failure> MemoryTransport::add(const ChannelConfig& config) {
+  SKEIN_EXPECTS(config.kind != ChannelKind::kWorld);
+  const std::size_t index = channels_.size();
+  channels_.push_back(channel_of(config, config.slots));
+  channels_.back().up = false;
+  join(index, config.partition);
+  return index;
+}
+
+MemoryTransport::Channel MemoryTransport::channel_of(const ChannelConfig& config,
+                                                     const std::vector<wire::Slot>& reads) const {
+  Channel channel;
+  channel.kind = config.kind;
+  channel.by_pattern = is_pattern(config.partition);
+  const bool world = config.kind == ChannelKind::kWorld;
+  channel.writes = world || config.from == self_;
+  channel.reads = world || config.from != self_;
+  for (const wire::Slot slot : reads) channel.read_slots.set(static_cast<std::size_t>(slot));
+  if (!world) channel.read_slots.set(static_cast<std::size_t>(wire::Slot::kHeartbeat));
+  return channel;
+}
+
+void MemoryTransport::join(std::size_t channel, const std::string& partition) {
+  Channel& joins = channels_[channel];
+  hub_.join({this, channel}, partition, joins.writes, joins.reads);
+  joins.partition = &hub_.partition(partition);
 }
 
 /// From the writers that are there already, in their order.

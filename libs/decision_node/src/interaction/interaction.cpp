@@ -34,8 +34,8 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
     if (known != tasks_.end()) known->second->leave("it is not wanted any more");
     return;
   }
-  auto joint =
-      joint_of(asked.task, host_.config().interaction, host_.config().uav, host_.config().others);
+  auto joint = joint_of(asked.task, host_.config().interaction, host_.config().uav,
+                        host_.config().others.names());
   if (!joint) {
     return host_.answered({asked.task.id, false, {}, joint.error().why, {}});
   }

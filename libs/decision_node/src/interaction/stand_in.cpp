@@ -148,7 +148,7 @@ class StandIn::Host final : public JointHost {
     joints_[task.id] = task.type;
     change(task.id, TaskState::kScheduled, "");
     change(task.id, TaskState::kStarted, "");
-    for (const std::string& other : config_.others) hear_of(other);
+    for (const std::string& other : config_.others.names()) hear_of(other);
     interaction_.load({task, {start_of(play.task, bus_.now())}});
   }
 

@@ -23,8 +23,7 @@ bool is_about(const std::string& session, const std::string& joint) {
 // ---- of the ground ----
 
 void Voice::say(const GroundNegotiates& said) {
-  const std::vector<std::string>& others = core_.config().others;
-  const bool known = std::find(others.begin(), others.end(), said.to) != others.end();
+  const bool known = core_.config().others.contains(said.to);
   if (said.message.from != core_.config().uav || !known) {
     return core_.bus().emit(Notice{"the ground station negotiates for '" + said.message.from +
                                    "' with '" + said.to + "': not through here"});

@@ -57,9 +57,9 @@ bool Meetings::keeps_to(Algorithm algorithm) const {
 void Meetings::said(const temporal::Frontier& frontier) {
   if (!core_.config().consistency) return;
   if (keeps_to(Algorithm::kCip)) core_.bus().emit(SendFrontier{"", frontier});
-  if (keeps_to(Algorithm::kDipG) || keeps_to(Algorithm::kDipM)) {
-    for (const std::string& other : core_.config().others)
-      core_.bus().emit(SendFrontier{other, frontier});
+  if (tells_all()) {
+    for (const std::string& other : met_) core_.bus().emit(SendFrontier{other, frontier});
+    said_ = frontier;
   }
   team_.say(eliminated(frontier));
   look();
@@ -69,10 +69,16 @@ void Meetings::said(const temporal::Frontier& frontier) {
 void Meetings::contact(const Contact& contact) {
   if (!core_.config().consistency || contact.ground != keeps_to(Algorithm::kCip)) return;
   if (!contact.ground) return reach(contact.peer, contact.reachable);
-  for (const std::string& other : core_.config().others) reach(other, contact.reachable);
+  for (const std::string& other : core_.config().others.names()) reach(other, contact.reachable);
+}
+
+bool Meetings::tells_all() const {
+  return keeps_to(Algorithm::kDipG) || keeps_to(Algorithm::kDipM);
 }
 
 void Meetings::reach(const std::string& peer, bool reachable) {
+  if (reachable && met_.insert(peer).second && tells_all() && said_)
+    core_.bus().emit(SendFrontier{peer, *said_});
   if (reachable)
     back_[peer] = core_.bus().now();
   else if (back_.erase(peer) == 0)
@@ -118,7 +124,7 @@ std::optional<MissionTime> Meetings::stays_away_since(const std::string& uav,
 // To each what changed for it.
 void Meetings::tell_dates() {
   const MissionTime now = core_.bus().now();
-  for (const std::string& other : core_.config().others) {
+  for (const std::string& other : met_) {
     Told& last = words_[other];
     temporal::Frontier word = team_.bounds_for(other);
     last.more = word != last.word && last.at && now < *last.at + kPause;

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "component.hpp"
@@ -41,6 +42,8 @@ class Meetings final : public Component {
  private:
   using Dates = std::map<temporal::MeetingId, temporal::PartnerDates>;
   bool keeps_to(temporal::Algorithm algorithm) const;
+  /// Whether each other UAV gets what this one plans (DIP-M, DIP-G).
+  bool tells_all() const;
   void reach(const std::string& peer, bool reachable);
   void tell_dates();
   void look();
@@ -52,6 +55,10 @@ class Meetings final : public Component {
   Core& core_;
   temporal::TeamDates team_;
   Dates told_;  ///< the arrivals last told to the supervisor
+  /// UAVs that were in reach once. Others are told nothing: what is said now they hear when they
+  /// are.
+  std::set<std::string> met_;
+  std::optional<temporal::Frontier> said_;  ///< last told to all of those (DIP-M, DIP-G)
   /// The last message to a UAV (DIP-L), when it was sent, and whether it is outdated.
   struct Told {
     temporal::Frontier word = {};

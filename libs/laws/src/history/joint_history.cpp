@@ -2,6 +2,7 @@
 #include "skein/laws/joint_history.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -9,9 +10,19 @@
 #include "skein/journal/hand_on.hpp"
 #include "skein/journal/lines/joint.hpp"
 #include "skein/journal/lines/radio.hpp"
+#include "told_links.hpp"
 #include "ways.hpp"
 
 namespace skein::laws {
+
+namespace {
+
+/// Lines about every link come before those about one.
+bool is_about(const LinkTold& line, const std::string& from, const std::string& to) {
+  return line.from == kEveryLink || (line.from == from && line.to == to);
+}
+
+}  // namespace
 
 // The last of this UAV's: a role's lines do not say which task they are of.
 JointTold* JointHistory::of(const std::string& uav, const std::string& joint) {
@@ -26,7 +37,7 @@ std::optional<bool> JointHistory::steady(const std::string& from, const std::str
   bool up = true;
   for (const LinkTold& one : links) {
     if (one.at > until) break;
-    if (one.from != from || one.to != to) continue;
+    if (!is_about(one, from, to)) continue;
     if (one.at > since && up != one.up) return std::nullopt;
     up = one.up;
   }
@@ -40,18 +51,16 @@ bool JointHistory::cut_off(const std::string& a, const std::string& b, double fr
 
 double JointHistory::last_reached(const std::string& from, const std::string& to,
                                   const std::set<std::string>& relays, double at) const {
-  std::set<std::pair<std::string, std::string>> down;
+  std::map<std::pair<std::string, std::string>, bool> told;
+  bool others_are_up = true;
   const Carries carries = [&](const std::string& a, const std::string& b) {
-    return !down.contains({a, b});
+    const auto link = told.find({a, b});
+    return link == told.end() ? others_are_up : link->second;
   };
   double last = at;
   for (const LinkTold& one : links) {
     if (one.at > at) break;
-    if (one.up) {
-      down.erase({one.from, one.to});
-    } else {
-      down.insert({one.from, one.to});
-    }
+    (one.from == kEveryLink ? others_are_up : told[{one.from, one.to}]) = one.up;
     const bool reached = has_way(from, to, relays, relays.size() + 1, carries);
     last = reached ? at : std::min(last, one.at);
   }
@@ -73,7 +82,7 @@ double JointHistory::up_for(const std::string& from, const std::string& to, doub
   };
   for (const LinkTold& one : links) {
     if (one.at > until) break;
-    if (one.from != from || one.to != to) continue;
+    if (!is_about(one, from, to)) continue;
     go_on(one.at);
     up = one.up;
   }

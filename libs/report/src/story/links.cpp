@@ -79,7 +79,7 @@ std::vector<LinkStory> tell_links(const Journal& journal, double end) {
   LinkTable table;
   Openness up, believed, relayed;
   for (const LinkRecord& r : journal.links) {
-    if (r.from == r.to) continue;
+    if (r.from == r.to) continue;  // also of all links together
     auto [story, direction] = table.find(r.from, r.to);
     story.truth[direction] = true;
     extend(story.up[direction], up[{r.from, r.to}], seconds(r.stamp), r.up);

@@ -90,8 +90,12 @@ struct PerceptionOut {
   bool operator==(const PerceptionOut&) const = default;
 };
 
-/// The radio from one node to another has changed; at the first step, the initial condition, in
-/// pairs of both directions.
+/// As both ends of a LinkChange: every link that no other one is about.
+inline constexpr const char* kEveryLink = "*";
+
+/// The radio from one node to another has changed; at the first step, the initial condition of all
+/// links, in pairs of both directions. If most of them are down then, that is said once for
+/// kEveryLink, and of the others one by one.
 struct LinkChange {
   std::string from;
   std::string to;

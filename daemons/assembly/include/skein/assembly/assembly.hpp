@@ -16,6 +16,9 @@ namespace skein::assembly {
 /// The node of a name of the roster: "ground", "sim", a functional layer or a UAV. Precondition: it
 /// is one of these.
 std::unique_ptr<node::Node> make_node(const scenario::Scenario& scenario, const std::string& name);
+/// The same with the roster of the scenario, which the nodes of a process then share.
+std::unique_ptr<node::Node> make_node(const scenario::Scenario& scenario, const std::string& name,
+                                      const node::Roster& roster);
 
 /// Checks of a scenario across its parts, beyond those of its reader (a start outside the terrain,
 /// a cut between unknown nodes, a planning domain with errors): all problems at once. Impossible

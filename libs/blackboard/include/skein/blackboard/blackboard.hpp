@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -34,6 +35,11 @@ struct Config {
   std::uint64_t incarnation = 1;
   std::uint32_t mission = 0;
   std::vector<ChannelConfig> channels;  ///< all channels that start or end at `self`
+  /// The two channels with a peer that is not in `channels`, which are added when something is sent
+  /// to it or its link comes up, and are down until set_condition() says otherwise; empty: the node
+  /// is no peer. So nothing is kept of who is never in reach. Null: all peers are in `channels`.
+  /// Only over a transport that can add channels, and where there are no relays.
+  std::function<std::vector<ChannelConfig>(NodeNumber)> channels_with = {};
   std::vector<wire::Slot> world_reads;  ///< slots of the world channel that this node reads
   Duration heartbeat_period = Duration::milliseconds(200);  ///< steady time; > 0
   /// Steady time after which an unacknowledged event is sent again; > 0.
@@ -206,6 +212,10 @@ class Blackboard {
   /// transport notifies, after each send, and at next_wakeup() and next_expiry(); at other times it
   /// has nothing to do. What it returns counts as handled by the node at the next call.
   std::vector<Incoming> step(Now now);
+  /// step() in two halves, to be called one after the other: what arrived, then what is due. So a
+  /// LinkState that arrived can be applied, by set_condition(), before anything more is said.
+  std::vector<Incoming> receive(Now now);
+  std::vector<Incoming> act(Now now);
   /// Steady time at which step() is due even if nothing arrives.
   std::optional<Duration> next_wakeup() const;
   /// Mission time at which step() is due: an unacknowledged event expires. Cost: events held.
@@ -227,6 +237,10 @@ class Blackboard {
   void recall_received(wire::Slot slot, const wire::SampleHeader& header);
   void recall_reachable(NodeNumber peer, bool reachable);
 
+  /// Whether there are channels with this node (yet: Config::channels_with).
+  bool knows(NodeNumber peer) const;
+  /// The number of channels that are open.
+  std::size_t channels() const;
   /// As last reported by Reachability; false for nodes that are no peers.
   bool reachable(NodeNumber peer) const;
   /// Events sent to this peer and not acknowledged yet.

@@ -35,6 +35,8 @@ class MemoryHub {
   /// where the radio itself cuts. Samples written while it is off are lost, except that the last
   /// states are delivered when it is on again (DDS would also deliver recent events).
   void carry(NodeNumber from, NodeNumber to, bool carried);
+  /// Switches all directions that no call of carry() was about, before any is.
+  void carry_others(bool carried) { others_are_carried_ = carried; }
 
  private:
   friend class MemoryTransport;
@@ -67,9 +69,10 @@ class MemoryHub {
   bool carries(const MemoryTransport& from, const MemoryTransport& to) const;
 
   std::uint64_t opened_ = 0;
-  std::map<std::string, Partition> partitions_;               ///< written, or read by name
-  std::vector<std::pair<std::string, End>> pattern_readers_;  ///< pattern and reader
-  std::set<std::pair<NodeNumber, NodeNumber>> silenced_;      ///< from, to
+  std::map<std::string, Partition> partitions_;                ///< written, or read by name
+  std::vector<std::pair<std::string, End>> pattern_readers_;   ///< pattern and reader
+  std::map<std::pair<NodeNumber, NodeNumber>, bool> carried_;  ///< from, to
+  bool others_are_carried_ = true;
 };
 
 /// One node's side of a MemoryHub. Its destruction models the death of the node: samples that it
@@ -80,6 +83,7 @@ class MemoryTransport final : public Transport {
   ~MemoryTransport() override;
 
   Result<void, Failure> open(const TransportPlan& plan) override;
+  Result<std::size_t, Failure> add(const ChannelConfig& channel) override;
   bool write(std::size_t channel, const wire::Sample& sample) override;
   Result<void, Failure> set_up(std::size_t channel, bool up) override;
   std::vector<Arrival> take() override;
@@ -120,6 +124,9 @@ class MemoryTransport final : public Transport {
   void put(std::size_t channel, std::variant<wire::Sample, Malformed> content);
   void put_to(const std::vector<MemoryHub::End>& readers, std::size_t channel,
               const wire::Sample& sample);
+  /// A channel of this node, connected or not; the hub does not know it yet.
+  Channel channel_of(const ChannelConfig& config, const std::vector<wire::Slot>& reads) const;
+  void join(std::size_t channel, const std::string& partition);
   void take_what_is_kept();
   /// The writers of other nodes that this channel reads.
   std::vector<MemoryHub::End> writers_for(std::size_t channel);

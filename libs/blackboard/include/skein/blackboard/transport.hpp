@@ -2,6 +2,7 @@
 // The port between the blackboard and the middleware that carries its samples.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <variant>
@@ -59,6 +60,11 @@ class Transport {
   /// To be called once, before everything else. All channels start connected. The failure names the
   /// entity that could not be made.
   virtual Result<void, Failure> open(const TransportPlan& plan) = 0;
+  /// Adds a channel, not of the world, which is disconnected at first. Returns its index, behind
+  /// all others. Only some transports can; the failure says so.
+  virtual Result<std::size_t, Failure> add(const ChannelConfig& channel) {
+    return failure("channel " + channel.partition + " was not there from the start");
+  }
   /// Writes a sample, whose header is complete, on a channel that starts at this node; false if the
   /// middleware did not accept it.
   virtual bool write(std::size_t channel, const wire::Sample& sample) = 0;

@@ -61,8 +61,8 @@ struct Clock {
 };
 SKEIN_WIRE_FIELDS(Clock, header, time, rate, phase)
 
-/// State of one directed radio channel, from the simulator. World channel; the instance numbers
-/// the pair: from * 65536 + to.
+/// State of one directed radio channel, from the simulator; from and to 0: of every channel that no
+/// other sample is about. World channel; the instance numbers the pair: from * 65536 + to.
 struct LinkState {
   SampleHeader header;
   std::uint32_t from = 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "skein/decision_node/contact.hpp"
+#include "skein/decision_node/other_uavs.hpp"
 #include "skein/executive/executive.hpp"
 #include "skein/interaction/model.hpp"
 #include "skein/supervisor/supervisor.hpp"
@@ -32,8 +33,8 @@ struct MergingConfig {
 
 struct Config {
   std::string uav;
-  std::vector<std::string> others = {};  ///< UAVs that this one may synchronise with
-  int degree = 3;  ///< initial degree, 1 to 5; 4 needs `knowledge`, 5 also `team`
+  OtherUavs others = {};  ///< UAVs that this one may synchronise with
+  int degree = 3;         ///< initial degree, 1 to 5; 4 needs `knowledge`, 5 also `team`
   ContactPolicy contact_policy = ContactPolicy::kContinue;
   Duration contact_after = Duration::seconds(60);
   /// A ground vehicle: it moves without being airborne, and never takes off or lands.

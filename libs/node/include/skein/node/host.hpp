@@ -46,6 +46,9 @@ struct HostConfig {
   double rate = 1;  ///< mission seconds per steady second; converts the radio's latencies
   ToldOfLinks told = ToldOfLinks::kAll;
   RadioCapacity capacity = {};
+  /// UAVs keep nothing of others to which no link has come up, or nothing was sent: somebody says
+  /// of each link when it does (see blackboard::Config::channels_with).
+  bool meets_when_told = false;
   /// Fraction of a radio's capacity for samples, in (0, 1]; the rest is for the protocol of DDS.
   double share_of_samples = 1;
   std::uint64_t seed = 0;  ///< of the losses on streams
@@ -153,7 +156,12 @@ class Host {
   void take_received(blackboard::Received received, blackboard::Now now);
   void log_route(const blackboard::RouteChanged& route, blackboard::Now now);
   void log_older(const blackboard::TakenForOlder& one, blackboard::Now now);
+  /// What is known of the radio at this instant, before anything more is said over it.
+  void apply_links(const std::vector<blackboard::Incoming>& incoming, blackboard::Now now);
   void apply(const wire::LinkState& link, blackboard::Now now);
+  /// Of every link that nothing else is said of.
+  void apply_to_others(const wire::LinkState& link, blackboard::Now now);
+  blackboard::ChannelCondition condition_of(const wire::LinkState& link) const;
   void send(const Send& send, blackboard::Now now);
   void log_unsent(wire::Slot slot, const std::string& to, blackboard::Refusal why,
                   blackboard::Now now);
@@ -174,9 +182,10 @@ class Host {
   std::optional<MissionTime> node_due_;  ///< asked of the node whenever it has handled something
   bool started_ = false;
   std::vector<blackboard::Incoming> before_start_;
-  std::set<NodeNumber> peers_;  ///< with a radio or onboard channel
   std::set<NodeNumber> heard_;
-  std::set<NodeNumber> down_;  ///< held down by the radio
+  std::set<std::pair<NodeNumber, NodeNumber>> told_;  ///< links that something was said of
+  std::set<NodeNumber> down_;                         ///< held down by the radio
+  bool others_are_down_ = false;                      ///< all of which nothing was said
   std::optional<MissionTime> resumed_from_;
   Effects left_;                         ///< to be done by former lives
   std::uint64_t said_ = 0;               ///< by members in this process, in this life

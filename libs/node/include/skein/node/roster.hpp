@@ -26,7 +26,7 @@ struct Member {
 /// All nodes of a scenario. Numbers follow from the scenario alone, so daemons started by hand on
 /// different machines agree on them without communication: ground 1, sim 2, runner 3, operators
 /// (all of them) 4, UAVs from 10 in the order of the scenario file, separate functional layers from
-/// 500 in the order of their UAVs. Source: spec 1.3.
+/// 500 in the order of their UAVs. Copies share what they hold. Source: spec 1.3.
 class Roster {
  public:
   /// `uavs`: names of the UAVs, distinct, none of them "ground", "sim", "runner" or "operator".
@@ -35,7 +35,9 @@ class Roster {
   explicit Roster(const std::vector<std::string>& uavs,
                   const std::map<std::string, std::string>& functional = {});
 
-  const std::vector<Member>& members() const { return members_; }
+  const std::vector<Member>& members() const { return *members_; }
+  /// The names of the UAVs, in their order.
+  std::shared_ptr<const std::vector<std::string>> uavs() const { return uavs_; }
   const Member* find(std::string_view name) const;
   const Member* find(NodeNumber number) const;
   /// The name, or "node 7" for a number that is not in the roster.
@@ -63,17 +65,27 @@ class Roster {
   /// Every channel that starts or ends at the member: radio between the ground and each UAV and
   /// between any two UAVs, onboard between a UAV and its functional layer, and the world.
   std::vector<blackboard::ChannelConfig> channels_of(const Member& member) const;
+  /// The same without those between two UAVs, which channels_between() gives.
+  std::vector<blackboard::ChannelConfig> channels_but_between_uavs(const Member& member) const;
+  /// The two channels between two members, radio or onboard; empty if there are none.
+  std::vector<blackboard::ChannelConfig> channels_between(const Member& a, const Member& b) const;
+  /// The members to which a radio or onboard channel leads.
+  std::vector<NodeNumber> peers_of(const Member& member) const;
   /// The slots a member reads on the world channel.
   std::vector<wire::Slot> world_reads_of(wire::Role role) const;
 
  private:
+  void set_members(std::vector<Member> members);
   bool serves(const Member& functional, const Member& uav) const;
+  bool are_connected(const Member& a, const Member& b) const;
   std::vector<blackboard::ChannelConfig> radio_between(const Member& a, const Member& b) const;
 
-  std::vector<Member> members_;
+  std::shared_ptr<const std::vector<Member>> members_;
+  std::shared_ptr<const std::vector<std::string>> uavs_;
   std::set<NodeNumber> relays_;
   std::shared_ptr<const blackboard::SlotTable> slots_;
-  std::map<NodeNumber, NodeNumber> functional_;  ///< by UAV; absent: the simulator
+  /// By UAV; absent: the simulator.
+  std::shared_ptr<const std::map<NodeNumber, NodeNumber>> functional_;
 };
 
 }  // namespace skein::node

@@ -34,6 +34,8 @@ struct VirtualConfig {
   /// The simulator's cuts are made by the transport and nodes are not told, as in flight, where the
   /// radio itself cuts.
   bool silent_cuts = false;
+  /// See HostConfig; a simulator among the nodes says of each link when it comes up.
+  bool meets_when_told = false;
   RadioCapacity capacity = {};
   /// Gives the memory of a node (null: none), which must outlive the run. If empty, nodes that a
   /// Crash restarts with memory have a MemoryInputLog.

@@ -146,7 +146,8 @@ struct Transport {
   }
 };
 
-/// Truth: the radio from one node to another carries samples, or no longer; capacity in bit/s.
+/// Truth: the radio from one node to another carries samples, or no longer; capacity in bit/s. "*"
+/// as both ends: every link that no other line is about.
 struct Link {
   static constexpr std::string_view kKind = "link";
   Text from = {};

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The UAVs beside a decision node's own.
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace skein::decision_node {
+
+/// All UAVs of a system but one. Copies share the names, and so may all nodes of a process: those
+/// of a large team would else hold as many names as there are pairs.
+class OtherUavs {
+ public:
+  OtherUavs() = default;
+  OtherUavs(std::initializer_list<std::string> others)
+      : uavs_(std::make_shared<const std::vector<std::string>>(others)) {}
+  /// `uavs`: of the whole system, not null; `self` is left out.
+  OtherUavs(std::shared_ptr<const std::vector<std::string>> uavs, std::string self)
+      : uavs_(std::move(uavs)), self_(std::move(self)) {}
+
+  bool contains(std::string_view uav) const {
+    return uavs_ && uav != self_ && std::ranges::find(*uavs_, uav) != uavs_->end();
+  }
+  /// In the order of the system. Cost: a copy of all names.
+  std::vector<std::string> names() const {
+    std::vector<std::string> others = uavs_ ? *uavs_ : std::vector<std::string>();
+    std::erase(others, self_);
+    return others;
+  }
+
+ private:
+  std::shared_ptr<const std::vector<std::string>> uavs_;  ///< null: none
+  std::string self_;
+};
+
+}  // namespace skein::decision_node
