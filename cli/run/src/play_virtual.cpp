@@ -2,11 +2,11 @@
 #include "play_virtual.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "skein/assembly/assembly.hpp"
 #include "skein/journal/lines/mission.hpp"
 #include "skein/run_tool/interrupt_guard.hpp"
-#include "skein/scenario_setup/setup.hpp"
 
 namespace skein::run_tool {
 
@@ -34,7 +34,7 @@ journal::Record mission_line(MissionTime at, const char* state) {
 
 Played play_virtual(const scenario::Scenario& scenario, Progress& progress) {
   const InterruptGuard guard;
-  const node::Roster roster = scenario_setup::roster_of(scenario);
+  const assembly::NodeMaker make_node(scenario);
   Played played;
   played.records.push_back(mission_line(MissionTime(), "started"));
   const auto journal = [&](const journal::Record& record) {
@@ -45,9 +45,9 @@ Played play_virtual(const scenario::Scenario& scenario, Progress& progress) {
     progress.show(now);
     return !InterruptGuard::interrupted();
   };
-  const node::VirtualOutcome outcome = node::run_virtual(
-      roster, [&](const std::string& name) { return assembly::make_node(scenario, name, roster); },
-      assembly::virtual_config(scenario), journal, keep_going);
+  const node::VirtualOutcome outcome =
+      node::run_virtual(make_node.roster(), std::cref(make_node),
+                        assembly::virtual_config(scenario), journal, keep_going);
   played.end = end_of(outcome.end);
   if (played.end == Played::End::kTimeLimit) {
     played.records.push_back(mission_line(outcome.at, "time-limit"));

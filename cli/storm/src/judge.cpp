@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -16,7 +17,6 @@
 #include "skein/laws/laws.hpp"
 #include "skein/laws/protocol.hpp"
 #include "skein/scenario_setup/overrides.hpp"
-#include "skein/scenario_setup/setup.hpp"
 #include "skein/workers/workers.hpp"
 
 namespace skein::storm_tool {
@@ -33,10 +33,9 @@ std::string one_line(std::string text) {
 
 std::vector<Record> play(const scenario::Scenario& scenario) {
   std::vector<Record> records;
-  const node::Roster roster = scenario_setup::roster_of(scenario);
-  node::run_virtual(
-      roster, [&](const std::string& name) { return assembly::make_node(scenario, name, roster); },
-      assembly::virtual_config(scenario), [&](const Record& record) { records.push_back(record); });
+  const assembly::NodeMaker make_node(scenario);
+  node::run_virtual(make_node.roster(), std::cref(make_node), assembly::virtual_config(scenario),
+                    [&](const Record& record) { records.push_back(record); });
   std::stable_sort(records.begin(), records.end(),
                    [](const auto& a, const auto& b) { return a.at() < b.at(); });
   return records;

@@ -12,17 +12,31 @@ namespace skein::assembly {
 
 using scenario::Scenario;
 
-std::unique_ptr<node::Node> make_node(const Scenario& scenario, const std::string& name) {
-  return make_node(scenario, name, scenario_setup::roster_of(scenario));
+namespace {
+
+std::unique_ptr<node::Node> make_other_than_uav(const Scenario& scenario, const std::string& name) {
+  if (name == "ground") return ground_setup::make_ground(scenario);
+  SKEIN_EXPECTS(scenario_setup::roster_of(scenario).find(name) != nullptr);
+  return sim_setup::make_sim(scenario, name);
 }
 
-std::unique_ptr<node::Node> make_node(const Scenario& scenario, const std::string& name,
-                                      const node::Roster& roster) {
-  if (name == "ground") return ground_setup::make_ground(scenario);
+}  // namespace
+
+std::unique_ptr<node::Node> make_node(const Scenario& scenario, const std::string& name) {
   if (const scenario::UavSpec* uav = scenario.find_uav(name))
-    return ddn_setup::make_ddn(scenario, *uav, roster);
-  SKEIN_EXPECTS(roster.find(name) != nullptr);
-  return sim_setup::make_sim(scenario, name);
+    return ddn_setup::make_ddn(scenario, *uav);
+  return make_other_than_uav(scenario, name);
+}
+
+NodeMaker::NodeMaker(const Scenario& scenario)
+    : scenario_(scenario), roster_(scenario_setup::roster_of(scenario)) {
+  if (scenario.planning) knowledge_.emplace(scenario);
+}
+
+std::unique_ptr<node::Node> NodeMaker::operator()(const std::string& name) const {
+  if (const scenario::UavSpec* uav = scenario_.find_uav(name))
+    return ddn_setup::make_ddn(scenario_, *uav, roster_, knowledge_ ? &*knowledge_ : nullptr);
+  return make_other_than_uav(scenario_, name);
 }
 
 Diagnostics check_assembly(const Scenario& scenario) {

@@ -3,9 +3,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <malloc.h>
 
+#include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <memory>
+#include <vector>
 
 #include "skein/blackboard/slot_table.hpp"
 #include "skein/scenario_setup/setup.hpp"
@@ -48,7 +52,53 @@ TEST(Assembly, EveryNameOfTheRosterThatIsNoPersonsMakesANodeThatStarts) {
   }
 }
 
-/// The same with a table of slots of its own.
+/// COMETS with so many UAVs, all like Marvin, that deliberate.
+scenario::Scenario team_of(int uavs) {
+  scenario::Scenario scenario = comets();
+  scenario::UavSpec one = *scenario.find_uav("marvin");
+  one.degree = 4;
+  scenario.uavs.clear();
+  scenario.ground.script = {};
+  scenario.planning.emplace();
+  scenario.planning->domain =
+      "(defdomain own ((:- (high-level-task survey (zone duration) (detection)) ())"
+      " (:- (device-serves fire-sensor detection) ())"
+      " (:method (survey ?_zone ?_duration ?_times ?_origin) () ())))";
+  for (int i = 0; i < uavs; ++i) {
+    one.name = "u" + std::to_string(i);
+    scenario.uavs.push_back(one);
+    scenario.world.places["pad of " + one.name] = {10.0 * i, 0, 0};
+  }
+  return scenario;
+}
+
+double bytes_in_use() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd);
+}
+
+/// What the node of each UAV takes when all are in one process.
+double bytes_of_a_node(int uavs) {
+  const scenario::Scenario scenario = team_of(uavs);
+  const NodeMaker make(scenario);
+  std::vector<std::unique_ptr<node::Node>> nodes;
+  nodes.reserve(scenario.uavs.size());
+  const double before = bytes_in_use();
+  for (const scenario::UavSpec& uav : scenario.uavs) nodes.push_back(make(uav.name));
+  return (bytes_in_use() - before) / uavs;
+}
+
+// Each had a copy of the models of all others, and of all places.
+TEST(NodeMaker, ANodeTakesTheSameMemoryHoweverManyOthersThereAre) {
+  (void)bytes_of_a_node(50);  // what is allocated once
+  const double few = bytes_of_a_node(50);
+  const double many = bytes_of_a_node(400);
+
+  std::printf("%.0f bytes a node among 50, %.0f among 400\n", few, many);
+  EXPECT_NEAR(many / few, 1, 0.05);
+}
+
+/// COMETS with a table of slots of its own.
 scenario::Scenario comets_with(const std::string& slots) {
   const std::string path = std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/confirmed.yaml";
   std::ifstream file(path);

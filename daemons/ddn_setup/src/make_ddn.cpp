@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/ddn_setup/make_ddn.hpp"
 
+#include <optional>
+
 #include "skein/ddn/ddn_node.hpp"
-#include "skein/deliberation_setup/knowledge.hpp"
+#include "skein/foundation/contract.hpp"
 #include "skein/scenario_setup/setup.hpp"
 
 namespace skein::ddn_setup {
@@ -17,11 +19,15 @@ constexpr double kHomeAltitude = 40;  ///< [m] above the ground at the start, on
 }  // namespace
 
 std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& uav) {
-  return make_ddn(scenario, uav, scenario_setup::roster_of(scenario));
+  std::optional<deliberation_setup::CommonKnowledge> knowledge;
+  if (scenario.planning) knowledge.emplace(scenario);
+  return make_ddn(scenario, uav, scenario_setup::roster_of(scenario),
+                  knowledge ? &*knowledge : nullptr);
 }
 
 std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& uav,
-                                     const node::Roster& roster) {
+                                     const node::Roster& roster,
+                                     const deliberation_setup::CommonKnowledge* knowledge) {
   ddn::DdnConfig config;
   config.uav = uav.name;
   config.degree = uav.degree;
@@ -34,11 +40,11 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
                  terrain.elevation(uav.start.x(), uav.start.y()) + kHomeAltitude};
   if (scenario.team && scenario.team->roster.number_of(uav.name)) config.team = scenario.team;
   if (scenario.planning) {
+    SKEIN_EXPECTS(knowledge != nullptr);
     const auto& first_ids = scenario.planning->first_ids;
     const auto first = first_ids.find(uav.name);
-    config.knowledge =
-        std::make_shared<supervisor::Knowledge>(deliberation_setup::knowledge_of(scenario, uav));
-    config.world = std::make_shared<world::World>(deliberation_setup::world_of(scenario).value());
+    config.knowledge = knowledge->of(uav.name);
+    config.world = knowledge->world();
     config.interaction = scenario.interaction;
     config.horizon = scenario.planning->horizon;
     config.consistency = scenario.planning->consistency;

@@ -84,26 +84,31 @@ supervisor::Partner partner_of(const Scenario& scenario, const world::Terrain& t
 
 }  // namespace
 
-supervisor::Knowledge knowledge_of(const Scenario& scenario, const UavSpec& uav) {
-  auto vocabulary = vocabulary_of(scenario);
+CommonKnowledge::CommonKnowledge(const Scenario& scenario)
+    : team_(scenario.uav_names()), domain_(domain_of(scenario)) {
+  auto vocabulary = deliberation_setup::vocabulary_of(scenario);
   SKEIN_EXPECTS(vocabulary.has_value());
-  supervisor::Knowledge knowledge;
+  vocabulary_ = std::move(*vocabulary);
   const world::Terrain terrain(scenario.world.terrain);
-  for (const UavSpec& one : scenario.uavs) {
-    supervisor::Partner partner = partner_of(scenario, terrain, one);
-    if (one.name != uav.name) {
-      knowledge.partners.push_back(std::move(partner));
-      continue;
-    }
-    knowledge.uav = partner.uav;
-    knowledge.vehicle = std::move(partner.vehicle);
-    knowledge.home = partner.home;
-    knowledge.altitude = partner.altitude;
-  }
-  knowledge.team = scenario.uav_names();
-  knowledge.domain = domain_of(scenario);
-  knowledge.vocabulary = std::move(*vocabulary);
-  return knowledge;
+  std::vector<supervisor::Partner> uavs;
+  for (const UavSpec& one : scenario.uavs) uavs.push_back(partner_of(scenario, terrain, one));
+  uavs_ = std::move(uavs);
+  world_ = std::make_shared<const world::World>(world_of(scenario).value());
+}
+
+std::shared_ptr<const supervisor::Knowledge> CommonKnowledge::of(const std::string& uav) const {
+  const auto own = std::ranges::find(uavs_, uav, &supervisor::Partner::uav);
+  SKEIN_EXPECTS(own != uavs_.end());
+  supervisor::Knowledge knowledge;
+  knowledge.uav = own->uav;
+  knowledge.vehicle = own->vehicle;
+  knowledge.home = own->home;
+  knowledge.altitude = own->altitude;
+  knowledge.team = team_;
+  knowledge.partners = uavs_;
+  knowledge.domain = domain_;
+  knowledge.vocabulary = vocabulary_;
+  return std::make_shared<const supervisor::Knowledge>(std::move(knowledge));
 }
 
 namespace {

@@ -64,7 +64,8 @@ TEST(Knowledge, OfAUavIsWhatItIsAndWhoItsTeamIs) {
   scenario::Scenario scenario = planning_with(kOneTask);
   scenario.planning->altitude = 55;
 
-  const supervisor::Knowledge knowledge = knowledge_of(scenario, scenario.uavs[1]);
+  const CommonKnowledge common(scenario);
+  const supervisor::Knowledge knowledge = *common.of("heliv");
 
   EXPECT_EQ(knowledge.uav, "heliv");
   EXPECT_EQ(knowledge.vehicle.name, "heliv");
@@ -73,14 +74,23 @@ TEST(Knowledge, OfAUavIsWhatItIsAndWhoItsTeamIs) {
   EXPECT_EQ(knowledge.home.z(), world::Terrain(scenario.world.terrain).elevation(-40, 30));
   EXPECT_EQ(knowledge.altitude, 55);
   EXPECT_THAT(knowledge.team, ElementsAre("marvin", "heliv", "karma"));
-  ASSERT_EQ(knowledge.partners.size(), 2U);
-  EXPECT_EQ(knowledge.partners[1].uav, "karma");
-  EXPECT_EQ(knowledge.partners[1].vehicle.name, "karma");
-  EXPECT_EQ(knowledge.partners[1].home.x(), scenario.uavs[2].start.x());
-  EXPECT_EQ(knowledge.partners[1].altitude, 55);
+  ASSERT_EQ(knowledge.partners.size(), 3U);
+  EXPECT_EQ(knowledge.partners[2].uav, "karma");
+  EXPECT_EQ(knowledge.partners[2].vehicle.name, "karma");
+  EXPECT_EQ(knowledge.partners[2].home.x(), scenario.uavs[2].start.x());
+  EXPECT_EQ(knowledge.partners[2].altitude, 55);
   EXPECT_EQ(knowledge.domain.file, "domains/own.lisp");
   ASSERT_EQ(knowledge.vocabulary.tasks.size(), 1U);
   EXPECT_EQ(knowledge.vocabulary.tasks.begin()->first, "survey");
+}
+
+TEST(Knowledge, OfOthersIsOneListForAll) {
+  const CommonKnowledge common(planning_with(kOneTask));
+
+  const auto marvin = common.of("marvin"), heliv = common.of("heliv");
+
+  EXPECT_TRUE(marvin->partners.shares(heliv->partners));
+  EXPECT_TRUE(marvin->team.shares(heliv->team));
 }
 
 TEST(Knowledge, EveryErrorOfTheDomainIsToldWithItsFileAndLine) {

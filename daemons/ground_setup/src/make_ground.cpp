@@ -52,14 +52,14 @@ bool dates_by_ground(const Scenario& scenario) {
 std::vector<decision_node::Config> played_by_ground(const Scenario& scenario) {
   std::vector<decision_node::Config> played;
   if (!scenario.planning || mission_knowledge(scenario).by_ground.empty()) return played;
-  const auto names = std::make_shared<const std::vector<std::string>>(scenario.uav_names());
+  const deliberation_setup::CommonKnowledge common(scenario);
+  const SharedList<std::string> names = scenario.uav_names();
   for (const UavSpec& uav : scenario.uavs) {
     decision_node::Config& config = played.emplace_back();
     config.uav = uav.name;
     config.others = decision_node::OtherUavs(names, uav.name);
-    config.knowledge =
-        std::make_shared<supervisor::Knowledge>(deliberation_setup::knowledge_of(scenario, uav));
-    config.world = std::make_shared<world::World>(deliberation_setup::world_of(scenario).value());
+    config.knowledge = common.of(uav.name);
+    config.world = common.world();
     config.interaction = scenario.interaction;
     config.partner_lease = scenario.planning->partner_lease;
   }

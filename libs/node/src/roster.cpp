@@ -75,7 +75,7 @@ void Roster::set_members(std::vector<Member> members) {
   std::vector<std::string> uavs;
   for (const Member& member : members)
     if (member.role == Role::kDdn) uavs.push_back(member.name);
-  uavs_ = std::make_shared<const std::vector<std::string>>(std::move(uavs));
+  uavs_ = std::move(uavs);
   members_ = std::make_shared<const std::vector<Member>>(std::move(members));
 }
 

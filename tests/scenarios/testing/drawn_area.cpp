@@ -85,8 +85,9 @@ refiners::Partition divided(const scenario::Scenario& scenario, refiners::ShareM
   query.apart = 0;
   for (const world::Zone& zone : scenario.world.zones)
     if (zone.name == "field") query.area = zone.polygon;
+  const deliberation_setup::CommonKnowledge common(scenario);
   for (const scenario::UavSpec& uav : scenario.uavs) {
-    const supervisor::Knowledge knowledge = deliberation_setup::knowledge_of(scenario, uav);
+    const supervisor::Knowledge knowledge = *common.of(uav.name);
     refiners::Member member;
     member.uav = uav.name;
     member.vehicle = uav.model;
@@ -98,7 +99,7 @@ refiners::Partition divided(const scenario::Scenario& scenario, refiners::ShareM
     member.busy = shared ? 0 : knowledge.altitude / uav.model.climb_rate;
     query.members.push_back(std::move(member));
   }
-  const auto world = std::make_shared<world::World>(deliberation_setup::world_of(scenario).value());
+  const auto world = common.world();
   query.flown = [&](const refiners::Member& member, double altitude, const world::Polygon& part) {
     return supervisor::seconds_of_sweep({member.vehicle, altitude, member.swath, member.start},
                                         part, world, sweeping);

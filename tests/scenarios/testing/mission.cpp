@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 
 #include "skein/assembly/assembly.hpp"
 #include "skein/laws/laws.hpp"
-#include "skein/scenario_setup/setup.hpp"
+#include "skein/scenario_setup/overrides.hpp"
 
 namespace skein::testing {
 
@@ -87,10 +88,9 @@ scenario_setup::Overrides with(std::uint64_t seed, std::vector<std::string> degr
 
 Mission play(const scenario::Scenario& scenario) {
   Mission mission;
+  const assembly::NodeMaker make_node(scenario);
   const auto outcome = node::run_virtual(
-      scenario_setup::roster_of(scenario),
-      [&](const std::string& name) { return assembly::make_node(scenario, name); },
-      assembly::virtual_config(scenario),
+      make_node.roster(), std::cref(make_node), assembly::virtual_config(scenario),
       [&](const journal::Record& record) { mission.records.push_back(record); });
   mission.end = outcome.end;
   std::stable_sort(mission.records.begin(), mission.records.end(),

@@ -116,7 +116,7 @@ std::optional<std::string> TeamCraft::objection(const auction::Task& task) const
   mission::Surroundings around;
   for (const auto& [name, place] : at_.world->places) around.places.push_back(name);
   for (const world::Zone& zone : at_.world->zones) around.zones.push_back(zone.name);
-  around.uavs = at_.knowledge->team;
+  around.uavs = at_.knowledge->team.values();
   around.vehicle = &vehicle;
   mission::UnitMission alone;
   alone.id = mission::MissionId(1);

@@ -36,7 +36,7 @@ std::vector<std::string> Requests::problems_of_mission(const mission::UnitMissio
   mission::Surroundings around;
   for (const auto& [name, place] : beliefs_.world().places) around.places.push_back(name);
   for (const world::Zone& zone : beliefs_.world().zones) around.zones.push_back(zone.name);
-  around.uavs = beliefs_.knowledge().team;
+  around.uavs = beliefs_.knowledge().team.values();
   around.vehicle = &vehicle;
   std::vector<std::string> problems =
       mission::problems_of(mission, beliefs_.knowledge().vocabulary, around, now());

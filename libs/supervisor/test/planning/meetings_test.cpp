@@ -46,8 +46,7 @@ PlanningLab lab_of(const Team& team, std::size_t who) {
   lab.vehicle(team.members[who].vehicle).uav(team.names[who], team.names).flying_at(team.at[who]);
   lab.knowledge.home = team.members[who].home;
   lab.knowledge.altitude = team.members[who].altitude;
-  for (std::size_t i = 0; i < team.members.size(); ++i)
-    if (i != who) lab.knowledge.partners.push_back(team.members[i]);
+  lab.knowledge.partners = team.members;
   return lab;
 }
 

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/result.hpp"
+#include "skein/foundation/shared_list.hpp"
 #include "skein/scenario/scenario.hpp"
 #include "skein/supervisor/planning.hpp"
 #include "skein/world/world.hpp"
@@ -20,10 +22,26 @@ Result<world::World, Diagnostics> world_of(const scenario::Scenario& scenario);
 /// Precondition: the scenario has planning.
 Result<mission::Vocabulary, Diagnostics> vocabulary_of(const scenario::Scenario& scenario);
 
-/// The knowledge of a UAV's deliberation. Precondition: the scenario has planning, and its domain
-/// has no errors.
-supervisor::Knowledge knowledge_of(const scenario::Scenario& scenario,
-                                   const scenario::UavSpec& uav);
+/// What deliberation knows at the start on every UAV of a scenario. The UAVs of a process share it:
+/// its size grows with their number, so that all together would take the square of that. Immutable,
+/// thread-safe.
+class CommonKnowledge {
+ public:
+  /// Precondition: the scenario has planning without problems (planning_problems). Cost: that of
+  /// vocabulary_of() and world_of().
+  explicit CommonKnowledge(const scenario::Scenario& scenario);
+
+  /// The knowledge of a UAV of the scenario. Cost: a copy of the domain's text and vocabulary.
+  std::shared_ptr<const supervisor::Knowledge> of(const std::string& uav) const;
+  std::shared_ptr<const world::World> world() const { return world_; }
+
+ private:
+  SharedList<std::string> team_;
+  SharedList<supervisor::Partner> uavs_;
+  supervisor::DomainText domain_;
+  mission::Vocabulary vocabulary_;
+  std::shared_ptr<const world::World> world_;
+};
 
 /// All problems of planning in the scenario: errors of the domain, an airspace without extent or
 /// with too many voxels, a UAV at degree 4 in a scenario without planning.

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "skein/foundation/shared_list.hpp"
 
 namespace skein::decision_node {
 
@@ -17,24 +18,23 @@ namespace skein::decision_node {
 class OtherUavs {
  public:
   OtherUavs() = default;
-  OtherUavs(std::initializer_list<std::string> others)
-      : uavs_(std::make_shared<const std::vector<std::string>>(others)) {}
-  /// `uavs`: of the whole system, not null; `self` is left out.
-  OtherUavs(std::shared_ptr<const std::vector<std::string>> uavs, std::string self)
+  OtherUavs(std::initializer_list<std::string> others) : uavs_(others) {}
+  /// `uavs`: of the whole system; `self` is left out.
+  OtherUavs(SharedList<std::string> uavs, std::string self)
       : uavs_(std::move(uavs)), self_(std::move(self)) {}
 
   bool contains(std::string_view uav) const {
-    return uavs_ && uav != self_ && std::ranges::find(*uavs_, uav) != uavs_->end();
+    return uav != self_ && std::ranges::find(uavs_, uav) != uavs_.end();
   }
   /// In the order of the system. Cost: a copy of all names.
   std::vector<std::string> names() const {
-    std::vector<std::string> others = uavs_ ? *uavs_ : std::vector<std::string>();
+    std::vector<std::string> others = uavs_.values();
     std::erase(others, self_);
     return others;
   }
 
  private:
-  std::shared_ptr<const std::vector<std::string>> uavs_;  ///< null: none
+  SharedList<std::string> uavs_;
   std::string self_;
 };
 

@@ -12,6 +12,7 @@
 
 #include "skein/blackboard/channel.hpp"
 #include "skein/blackboard/slot_table.hpp"
+#include "skein/foundation/shared_list.hpp"
 
 namespace skein::node {
 
@@ -37,7 +38,7 @@ class Roster {
 
   const std::vector<Member>& members() const { return *members_; }
   /// The names of the UAVs, in their order.
-  std::shared_ptr<const std::vector<std::string>> uavs() const { return uavs_; }
+  SharedList<std::string> uavs() const { return uavs_; }
   const Member* find(std::string_view name) const;
   const Member* find(NodeNumber number) const;
   /// The name, or "node 7" for a number that is not in the roster.
@@ -81,7 +82,7 @@ class Roster {
   std::vector<blackboard::ChannelConfig> radio_between(const Member& a, const Member& b) const;
 
   std::shared_ptr<const std::vector<Member>> members_;
-  std::shared_ptr<const std::vector<std::string>> uavs_;
+  SharedList<std::string> uavs_;
   std::set<NodeNumber> relays_;
   std::shared_ptr<const blackboard::SlotTable> slots_;
   /// By UAV; absent: the simulator.

@@ -14,6 +14,7 @@
 
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/result.hpp"
+#include "skein/foundation/shared_list.hpp"
 #include "skein/mission/elementary_plan.hpp"
 #include "skein/mission/progress.hpp"
 #include "skein/mission/vocabulary.hpp"
@@ -45,7 +46,7 @@ struct DomainText {
   std::string text;
 };
 
-/// Static data of another UAV of the team.
+/// Static data of a UAV of the team.
 struct Partner {
   std::string uav;
   world::VehicleModel vehicle;
@@ -58,10 +59,10 @@ struct Knowledge {
   std::string uav;
   world::VehicleModel vehicle;
   world::Vector3 home =
-      world::Vector3::Zero();     ///< where the UAV takes off and lands [m] ENU, on ground
-  double altitude = 40;           ///< usual flight altitude over the ground [m]
-  std::vector<std::string> team;  ///< names of all UAVs, including this one
-  std::vector<Partner> partners;  ///< a UAV of the team without an entry is taken to be like this
+      world::Vector3::Zero();    ///< where the UAV takes off and lands [m] ENU, on ground
+  double altitude = 40;          ///< usual flight altitude over the ground [m]
+  SharedList<std::string> team;  ///< names of all UAVs, including this one
+  SharedList<Partner> partners;  ///< a UAV of the team without an entry is taken to be like this
   DomainText domain;
   mission::Vocabulary vocabulary;
 };

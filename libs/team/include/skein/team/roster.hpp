@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "skein/auction/team_member.hpp"
+#include "skein/foundation/shared_list.hpp"
 
 namespace skein::team {
 
@@ -18,7 +19,7 @@ class Roster {
   Roster() = default;
   explicit Roster(std::vector<std::string> members) : members_(std::move(members)) {}
 
-  const std::vector<std::string>& names() const { return members_; }
+  const std::vector<std::string>& names() const { return members_.values(); }
   std::optional<auction::MemberNumber> number_of(const std::string& name) const {
     const auto found = std::find(members_.begin(), members_.end(), name);
     if (found == members_.end()) return std::nullopt;
@@ -28,7 +29,7 @@ class Roster {
   std::string name_of(auction::MemberNumber number) const;
 
  private:
-  std::vector<std::string> members_;
+  SharedList<std::string> members_;
 };
 
 struct Config {
