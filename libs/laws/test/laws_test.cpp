@@ -353,25 +353,6 @@ TEST(PartnersApart, WhoMeetsOneThatWaitsIsBlamedAtOnceWhoBothSetOutFromOnePlaceA
   EXPECT_THAT(leaves_when_other_is_under_way_since(20), SizeIs(1));
 }
 
-// ---- motion ----
-
-TEST(Held, NoMotionBeginsUnderAPerceptionOfAnotherGoal) {
-  Story story;
-  story.does("marvin", {100, "takeshot", 701, 5, 125, "ended", "visible"})
-      .does("marvin", {101, "goto", 702, 60, 90});
-
-  EXPECT_THAT(story.broken("held"),
-              ElementsAre(HasSubstr("goto 101 of goal 702 begins while takeshot 100 of goal 701")));
-}
-
-TEST(Held, TheOwnMotionAndWhatIsStoppedThenAreFine) {
-  Story story;
-  story.does("marvin", {100, "takeshot", 701, 5, 60.5, "aborted", "visible"});
-  story.does("marvin", {101, "goto", 701, 20, 55}).does("marvin", {102, "goto", 702, 60, 90});
-
-  EXPECT_THAT(story.broken("held"), IsEmpty());
-}
-
 // ---- promises ----
 
 TEST(Times, AchievedTooLateIsSaid) {

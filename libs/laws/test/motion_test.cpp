@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One motion at a time.
+// One motion at a time, and none under a task of another goal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 TEST(OneMotion, TwoMotionsOverlap) {
   Story story;
@@ -62,6 +63,38 @@ TEST(OneMotion, WhatTheGroundStartedOutOfReachOverlapsAsAnyOnBoard) {
       .does("heliv", {203, "goto", 803, 196, 245});
 
   EXPECT_THAT(story.broken("one-motion"), ElementsAre(HasSubstr("goto 203")));
+}
+
+TEST(Held, NoMotionBeginsUnderAPerceptionOfAnotherGoal) {
+  Story story;
+  story.does("marvin", {100, "takeshot", 701, 5, 125, "ended", "visible"})
+      .does("marvin", {101, "goto", 702, 60, 90});
+
+  EXPECT_THAT(story.broken("held"),
+              ElementsAre(HasSubstr("goto 101 of goal 702 begins while takeshot 100 of goal 701")));
+}
+
+TEST(Held, TheOwnMotionAndWhatIsStoppedThenAreFine) {
+  Story story;
+  story.does("marvin", {100, "takeshot", 701, 5, 60.5, "aborted", "visible"});
+  story.does("marvin", {101, "goto", 701, 20, 55}).does("marvin", {102, "goto", 702, 60, 90});
+
+  EXPECT_THAT(story.broken("held"), IsEmpty());
+}
+
+// Found by random missions (--partners 800203): a takeoff ended, the joint task that waited for it
+// was started, and the wait was asked for, in one instant.
+TEST(Held, ASafeWaitThatIsAskedForWhileTheOtherIsStartedIsFine) {
+  const auto begins = [](const std::string& motion, int goal, double at) {
+    Story story;
+    story.does("marvin", {100, "joint:monitoring-with-relay", 701, 5, 125});
+    return story.does("marvin", {101, motion, goal, at, 90}).broken("held");
+  };
+
+  EXPECT_THAT(begins("wait", 0, 5), IsEmpty());
+  EXPECT_THAT(begins("wait", 0, 6), SizeIs(1)) << "it knew";
+  EXPECT_THAT(begins("wait", 702, 5), SizeIs(1)) << "of its plan";
+  EXPECT_THAT(begins("goto", 0, 5), SizeIs(1)) << "it moves";
 }
 
 }  // namespace

@@ -85,10 +85,19 @@ double kept_from(const world::Volume& volume, double margin, const Vector3& star
   return std::clamp(std::max(above, beside) - kSame, 0.0, margin);
 }
 
+/// It begins in the volume, leads out of it, and not back.
+bool leaves(const world::Volume& volume, const std::vector<Vector3>& points) {
+  const auto out = std::find_if_not(points.begin(), points.end(), [&](const Vector3& point) {
+    return world::crosses(volume, 0, point, point);
+  });
+  if (out == points.begin() || out == points.end()) return false;
+  return !world::crosses(volume, 0, std::vector<Vector3>(out, points.end()));
+}
+
 bool is_clear(const std::vector<Vector3>& points, double margin, const AirwaySituation& situation) {
   const world::TimeWindow ahead{situation.now, situation.now + Duration::seconds(kAhead)};
   return std::none_of(situation.volumes.begin(), situation.volumes.end(), [&](const auto& volume) {
-    return volume.when.overlaps(ahead) &&
+    return volume.when.overlaps(ahead) && !leaves(volume, points) &&
            world::crosses(volume, kept_from(volume, margin, points.front()), points);
   });
 }

@@ -53,7 +53,8 @@ std::optional<elementary::GotoTask> flight_of(const functional::Request& request
 bool is_done_in_place(const functional::Request& request);
 
 /// The motion as it was asked for, and then, when it may be flown at any height, higher ones that
-/// meet no closed air. An error: why the vehicle cannot do it, in all its reasons.
+/// meet no closed air but what they leave. An error: why the vehicle cannot do it, in all its
+/// reasons.
 Result<Airways, Failure> airways_of(const functional::Request& request, bool at_any_height,
                                     const MergingConfig& config, const AirwaySituation& situation);
 

@@ -8,6 +8,7 @@
 #include "merging/merging.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/mission/degree.hpp"
+#include "skein/world/crossing.hpp"
 
 namespace skein::decision_node {
 
@@ -15,6 +16,9 @@ namespace {
 
 /// Who stays with nothing to do, and has been wanted away for so long, makes room.
 constexpr Duration kMakesRoom = Duration::milliseconds(1'000);
+
+/// Who waits for its air in closed air looks for other air to leave by after so long.
+constexpr Duration kLeavesClosedAir = Duration::milliseconds(1'000);
 
 /// Who waits for its air over where another is to take off or land gets out of the way after so
 /// long.
@@ -72,6 +76,18 @@ bool is_over_a_pad(const merging::Merger& merger, const world::Terrain& terrain)
          });
 }
 
+/// Closed air is where it stays, or on the circle that it flies there.
+bool is_in_closed_air(const world::Vector3& place, const world::VehicleModel& model,
+                      const AirwaySituation& situation) {
+  constexpr Duration kMoment = Duration::milliseconds(1);
+  const double circle = model.hovers ? 0 : model.orbit_radius;
+  const auto& volumes = situation.volumes;
+  return std::any_of(volumes.begin(), volumes.end(), [&](const world::Volume& one) {
+    return one.when.overlaps({situation.now, situation.now + kMoment}) &&
+           world::crosses(one, circle, place, place);
+  });
+}
+
 bool is_aborting(const executive::TaskStatus& task) {
   return task.state == executive::TaskState::kAborting;
 }
@@ -103,7 +119,7 @@ Airways ordered(Airways aside, bool only_leading, const Leads& leads) {
 /// whose joint task nobody else is free for lets others wait all that time.
 void Merging::look_for_room() {
   const MissionTime now = core_.bus().now();
-  if (waiting_) return leave_pad();
+  if (waiting_) return leave_place();
   const bool could = vehicle_.stays() && has_nothing_to_do(core_);
   if (!could || !is_in_the_way(*merger_, !vehicle_.rest())) return room_since_.reset();
   if (!room_since_) room_since_ = now;
@@ -123,16 +139,24 @@ void Merging::look_for_room() {
   want(std::move(aside));
 }
 
-/// It waits itself, for somebody who is in no circle with it, and stays where others are to take
-/// off or land: it gets out of the way as if there were a circle. Who is to land there goes first.
-void Merging::leave_pad() {
+/// It waits itself, for somebody who is in no circle with it, and stays in closed air, or where
+/// others are to take off or land (who is to land there goes first).
+std::optional<Duration> Merging::leaves_after() const {
   const bool could = !waiting_->airways.empty() && !waiting_->aside_since &&
                      !waiting_->comes_back && waiting_->request.type != "land" && vehicle_.stays();
-  if (!could || !is_over_a_pad(*merger_, *core_.config().merging->terrain))
-    return room_since_.reset();
+  if (!could) return std::nullopt;
+  const MergingConfig& config = *core_.config().merging;
+  if (is_in_closed_air(vehicle_.place(), config.model, situation())) return kLeavesClosedAir;
+  return is_over_a_pad(*merger_, *config.terrain) ? std::optional(kLeavesPad) : std::nullopt;
+}
+
+/// It gets out of the way as if there were a circle.
+void Merging::leave_place() {
+  const auto patience = leaves_after();
+  if (!patience) return room_since_.reset();
   const MissionTime now = core_.bus().now();
   if (!room_since_) room_since_ = now;
-  if (now < *room_since_ + kLeavesPad) return;
+  if (now < *room_since_ + *patience) return;
   room_since_.reset();
   carry_out(merging::MoveAside{{core_.config().uav}, false});
 }

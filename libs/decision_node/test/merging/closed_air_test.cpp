@@ -13,6 +13,7 @@ using ::testing::ElementsAre;
 using ::testing::Field;
 using testing::give_sweep;
 using testing::goto_of;
+using testing::last_had;
 using testing::MergedTeam;
 
 // Found by random missions (--mixed 300008): it stood 14 m beside smoke, found every way aside too
@@ -26,6 +27,30 @@ TEST(MergingBesideClosedAir, WhoStandsNearClosedAirMakesRoomAwayFromIt) {
   EXPECT_TRUE(team.is_over("heliv", 7));
   EXPECT_THAT(team.notes("marvin"), ElementsAre(Field(&AirNoted::state, "aside")));
   EXPECT_LE(team.state("marvin").position.x(), 0);
+}
+
+// Found by random missions (--anything 800008): a plane around which air closed had no way out but
+// the level one, in which another flew, and circled in and out of it for 40 s.
+TEST(MergingBesideClosedAir, WhoIsInClosedAirLeavesItAboveWhoeverStaysInItsWay) {
+  world::Volume smoke{"smoke", {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, 0, 200, {}};
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {60, 0, 40}}}, 4, ContactPolicy::kContinue,
+                  {smoke});
+  team.command("marvin", goto_of(7, {120, 0, 40}));
+  team.run(1);
+  EXPECT_THAT(team.begun("marvin"), ElementsAre(7U));
+  EXPECT_EQ(last_had(team.notes("marvin")).raised, 12);
+}
+
+TEST(MergingBesideClosedAir, WhoIsInClosedAirLeavesItAsideWhenSomebodyStaysWhereItIsToGo) {
+  world::Volume smoke{"smoke", {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, 0, 200, {}};
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {60, 0, 40}}}, 4, ContactPolicy::kContinue,
+                  {smoke});
+  team.cut("marvin", "heliv");
+  team.command("marvin", goto_of(7, {60, 0, 40}));
+  team.run(15);
+  EXPECT_THAT(team.notes("marvin"), ::testing::Contains(Field(&AirNoted::state, "aside")));
+  const world::Vector3& at = team.state("marvin").position;
+  EXPECT_FALSE(world::crosses(smoke, 0, at, at)) << at.transpose();
 }
 
 // Found by random missions (--mixed 400069): its way was planned from where it stood before.
