@@ -154,15 +154,37 @@ class Judge {
       if (!reached_within(one, healed, until))
         breach(until, to_text(one) + ": the link is whole since " + skein::to_text(healed) +
                           " s, and " + one.second + " does not reach " + one.first);
-      for (const auto& [sequence, message] : messages_[one]) {
-        const bool before = message.sent < healed && message.sent != MissionTime();
-        if (!before || (message.settled && *message.settled <= until)) continue;
-        breach(until, to_text(one) + ": " + message.slot + " " + std::to_string(sequence) + " of " +
-                          skein::to_text(message.sent) +
-                          " s has not come since the link is whole, " + skein::to_text(healed) +
-                          " s, after a cut since " + skein::to_text(broken) + " s");
-      }
+      judge_what_waited(one, broken, healed);
     }
+  }
+
+  /// One after the other: each is later by what went before it.
+  void judge_what_waited(const Channel& channel, MissionTime broken, MissionTime healed) {
+    MissionTime by = healed + limits_.healing;
+    for (const auto& [sequence, message] : messages_[channel]) {
+      const bool waited = message.sent < healed && message.sent != MissionTime() &&
+                          (!message.settled || *message.settled > healed);
+      if (!waited) continue;
+      const bool late = !message.settled || *message.settled > by;
+      if (late && stays_whole(channel, healed, by))
+        breach(by, to_text(channel) + ": " + message.slot + " " + std::to_string(sequence) +
+                       " of " + skein::to_text(message.sent) +
+                       " s has not come since the link is whole, " + skein::to_text(healed) +
+                       " s, after a cut since " + skein::to_text(broken) + " s");
+      by = by + limits_.each;
+    }
+  }
+
+  /// Neither direction changes between these, and both are before the log's end.
+  bool stays_whole(const Channel& channel, MissionTime from, MissionTime until) const {
+    const auto changes = [&](const Channel& one) {
+      const auto found = links_.find(one);
+      return found != links_.end() &&
+             std::any_of(found->second.begin(), found->second.end(), [&](const Change& change) {
+               return change.at > from && change.at <= until;
+             });
+    };
+    return until < end_ && !changes(channel) && !changes(reversed(channel));
   }
 
   void judge_end(const Channel& channel, const std::map<std::uint64_t, Message>& messages) {
@@ -214,6 +236,20 @@ class Judge {
 
 }  // namespace
 
+namespace {
+
+/// Of one, and as much again of what shares the narrowest channel with it.
+Duration airtime_of_an_event(const scenario::RadioSpec& radio) {
+  constexpr double kEvent = 8.0 * 2 * 300;  // [bit] with its frame
+  double least = radio.model.capacity;
+  for (const scenario::LinkSpec& link : radio.links)
+    if (link.capacity.value_or(0) > 0 && (least == 0 || *link.capacity < least))
+      least = *link.capacity;
+  return least > 0 ? Duration::seconds(kEvent / least) : Duration();
+}
+
+}  // namespace
+
 HealingLimits healing_limits(const scenario::Scenario& scenario) {
   const scenario::RadioSpec& radio = scenario.radio;
   double loss = radio.model.loss;
@@ -232,6 +268,7 @@ HealingLimits healing_limits(const scenario::Scenario& scenario) {
     limits.healing = kTold + latency + latency;
     return limits;
   }
+  limits.each = airtime_of_an_event(radio);
   double heartbeats = 3;
   if (loss > 0) heartbeats = std::max(heartbeats, 2 + std::log(kHardlyEver) / std::log(loss));
   limits.healing = Duration::seconds(heartbeats * radio.heartbeat.to_seconds()) + latency + latency;

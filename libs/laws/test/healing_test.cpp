@@ -54,6 +54,10 @@ class Log {
     add(end, "ground", lines::Phase{.name = "end"});
     return broken_healing(records_);
   }
+  std::vector<std::string> breaches_within(const HealingLimits& limits) {
+    add(100, "ground", lines::Phase{.name = "end"});
+    return broken_healing(records_, limits);
+  }
 
  private:
   template <class Line>
@@ -111,6 +115,22 @@ TEST(Healing, IsBrokenByAnEventThatComesTooLate) {
                   .message(23.5, "received", 1)
                   .breaches(),
               ElementsAre(HasSubstr("TaskEvent 1 of 12 s has not come")));
+}
+
+// Found by random missions (--anything 800016): 20 events of a cut of 100 s at 19,200 bit/s.
+TEST(Healing, WhatWaitedBehindOthersOnANarrowChannelComesAfterThem) {
+  const auto come_each = [](double seconds) {
+    Log log;
+    log.cut(0, true).cut(10);
+    for (std::uint64_t one = 1; one <= 20; ++one) log.message(11, "sent", one);
+    log.cut(20, true);
+    for (std::uint64_t one = 1; one <= 20; ++one)
+      log.message(21 + seconds * static_cast<double>(one), "received", one);
+    return log.breaches_within({.each = Duration::seconds(0.25)});
+  };
+
+  EXPECT_THAT(come_each(0.2), IsEmpty());
+  EXPECT_THAT(come_each(0.4), ::testing::Contains(HasSubstr("TaskEvent 20 of 11 s")));
 }
 
 TEST(Healing, CountsACutOfOneDirection) {

@@ -15,6 +15,8 @@ struct HealingLimits {
   /// Time after both directions are up again until both nodes know it and have received waiting
   /// events.
   Duration healing = Duration::seconds(3);
+  /// More for each event that waits before another one: on a narrow channel they come one by one.
+  Duration each;
   /// Cuts shorter than this need not be noticed: three heartbeats and two seconds.
   Duration noticed = Duration::seconds(5);
   /// Time after the last change of any link until routes past relays are final and waiting events
@@ -25,7 +27,7 @@ struct HealingLimits {
 /// Limits for the scenario's radio, in virtual time: a second and the latency both ways. Where
 /// nodes are not told that a link is up (`silent`), where it is narrow (`capacity`) or loses
 /// samples at random, three heartbeats instead of the second, and with losses so many more that the
-/// loss of all is very unlikely.
+/// loss of all is very unlikely. `each`: 600 bytes on the narrowest channel.
 HealingLimits healing_limits(const scenario::Scenario& scenario);
 
 /// Breaches, with their instants, of the laws on links that were down in one or both directions,
@@ -33,7 +35,7 @@ HealingLimits healing_limits(const scenario::Scenario& scenario);
 /// - healed: when both directions of a pair have come back and stay, then within `healing` both
 ///   nodes say that they reach the other, if they ever said that they do not;
 /// - caught up: an event sent before or during the cut was received, or told to be expired or lost,
-///   within `healing` of the return;
+///   within `healing` of the return, and `each` for each one that waited before it;
 /// - none lost: at the log's end every event was received, or told to be expired or lost, but for
 ///   those between nodes of which one died or restarted, or whose link was down within `healing` of
 ///   the end; then past relays (nodes that `route` lines name, and that did not die) if there was a
