@@ -194,11 +194,15 @@ class Judge {
       last = end_ - limits_.rerouting;
       if (!keeps_a_way(channel, last) || !keeps_a_way(reversed(channel), last)) return;
     }
-    for (const auto& [sequence, message] : messages)
-      if (!message.settled && message.sent < last)
+    MissionTime sent_by = last;
+    for (const auto& [sequence, message] : messages) {
+      if (message.settled) continue;
+      if (message.sent < sent_by)
         breach(end_, to_text(channel) + ": " + message.slot + " " + std::to_string(sequence) +
                          " of " + skein::to_text(message.sent) +
                          " s never came, and nobody said why");
+      sent_by = sent_by - limits_.each;
+    }
   }
 
   /// In both directions, without a change from then on.

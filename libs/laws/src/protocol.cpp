@@ -96,15 +96,16 @@ class Checker {
   void hear(const lines::Message& line, const Written& when) {
     const Channel channel{line.from, line.to};
     if (line.direction == "sent") {
-      sent_[channel].insert(line.sequence);
+      sent_[channel].insert_or_assign(line.sequence, when.at);
       return;
     }
-    if (!sent_[channel].contains(line.sequence))
-      breach(when.record, "a message nobody sent is received");
+    const auto sent = sent_[channel].find(line.sequence);
+    if (sent == sent_[channel].end()) breach(when.record, "a message nobody sent is received");
     std::uint64_t& last = (line.sequence < kFirstLongMessage ? received_ : received_long_)[channel];
     if (line.sequence <= last) breach(when.record, "a message is received twice or late");
     last = line.sequence;
-    if (!may_have_come(channel, when.at))
+    const MissionTime since = sent == sent_[channel].end() ? when.at : sent->second;
+    if (!may_have_come(channel, since, when.at))
       breach(when.record, "a message is received over a link that is down");
   }
 
@@ -206,13 +207,15 @@ class Checker {
                         " s was never settled");
   }
 
-  // Over the link itself, or past nodes that somebody has told to be relays: a moment a link.
-  bool may_have_come(const Channel& channel, MissionTime at) const {
+  // Over the link itself, or past nodes that somebody has told to be relays: a moment a link. With
+  // a relay it may wait until the next link has room, and may have left the first before it went
+  // down.
+  bool may_have_come(const Channel& channel, MissionTime sent, MissionTime at) const {
     for (std::size_t links = 1; links <= relays_.size() + 1; ++links) {
       const Duration moment = Duration::seconds(kMoment * static_cast<double>(links));
       const auto carries = [&](const std::string& from, const std::string& to) {
         const auto down = down_since_.find({from, to});
-        if (down != down_since_.end()) return at <= down->second + moment;
+        if (down != down_since_.end()) return (links == 1 ? at : sent) <= down->second + moment;
         return others_are_up_ || told_.contains({from, to});
       };
       if (has_way(channel.first, channel.second, relays_, links, carries)) return true;
@@ -247,7 +250,7 @@ class Checker {
   std::map<Job, HandedOver> handed_over_;
   std::map<std::uint64_t, Command> commands_;
   std::set<Rendezvous> syncs_;
-  std::map<Channel, std::set<std::uint64_t>> sent_;
+  std::map<Channel, std::map<std::uint64_t, MissionTime>> sent_;
   std::map<Channel, std::uint64_t> received_, received_long_;
   std::map<Channel, MissionTime> down_since_;
   std::set<Channel> told_;        ///< links that some line is about

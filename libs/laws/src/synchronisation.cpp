@@ -163,22 +163,24 @@ std::optional<double> reached(const History& history, const std::string& one,
 
 /// [s] For a word about a plan, and as much again that is on its way before it, on the narrowest of
 /// the links.
-double on_the_air(const scenario::RadioSpec& radio) {
-  constexpr double kLongest = 8.0 * 2 * 2'500;  // [bit] a network of some twenty tasks, told whole
+double on_the_air(const scenario::RadioSpec& radio, std::uint64_t arcs) {
+  constexpr double kUsual = 2'500;              // [byte] a network of some twenty tasks, told whole
+  constexpr double kArc = 32, kCarrying = 1.5;  // [byte]; of what goes in parts
+  const double bytes = std::max(kUsual, static_cast<double>(arcs) * kArc * kCarrying);
   double least = radio.model.capacity > 0 ? radio.model.capacity : kNever;
   for (const scenario::LinkSpec& link : radio.links)
     if (link.capacity.value_or(0) > 0) least = std::min(least, *link.capacity);
-  return kLongest / least;
+  return 8.0 * 2 * bytes / least;
 }
 
 }  // namespace
 
 // Words of those who died, or to them, may be lost with them.
 std::vector<Violation> plan_words_unheard(const History& history) {
-  const double within = 1 + on_the_air(history.scenario->radio);  // [s]
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
     for (auto word = uav.plan_words.begin(); word != uav.plan_words.end(); ++word) {
+      const double within = 1 + on_the_air(history.scenario->radio, word->arcs);  // [s]
       const auto hearer = history.uavs.find(word->other);
       const bool died = history.dead.contains(name) || history.dead.contains(word->other);
       if (!word->sent || died || hearer == history.uavs.end()) continue;

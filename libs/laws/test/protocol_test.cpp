@@ -108,10 +108,18 @@ TEST(JournalLaws, AMessageMayComePastARelayThatWasToldOf) {
   EXPECT_THAT(broken_protocol(log), IsEmpty());
 }
 
+// Found by missions at 9,600 bit/s: a message waited twelve seconds at a relay for its turn.
+TEST(JournalLaws, WhatWaitsAtARelayMayComeAfterItsSenderWasCutOff) {
+  const Log log{link(1, false), route(2), message(3, 1, "sent"),
+                link_of(4, "ground", "heliv", false), message(16, 1, "received")};
+
+  EXPECT_THAT(broken_protocol(log), IsEmpty());
+}
+
 TEST(JournalLaws, AMessageDoesNotComePastARelayThatHasNoLinkOrThatNobodyTold) {
   const Log untold{message(1, 1, "sent"), link(2, false), message(9, 1, "received")};
   for (const auto& [from, to] : {std::pair("ground", "heliv"), std::pair("heliv", "marvin")}) {
-    const Log cut{message(1, 1, "sent"), link(2, false), route(3), link_of(4, from, to, false),
+    const Log cut{link(1, false), route(2), link_of(3, from, to, false), message(7, 1, "sent"),
                   message(9, 1, "received")};
     EXPECT_THAT(broken_protocol(cut), ElementsAre(HasSubstr("over a link that is down")));
   }

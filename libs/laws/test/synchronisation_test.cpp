@@ -120,6 +120,14 @@ TEST(HealedLaw, OnANarrowChannelAWordTakesItsTime) {
   EXPECT_THAT(unheard.broken("healed"), SizeIs(1));
 }
 
+TEST(HealedLaw, AGreatNetworkTakesLongerThanASmallOne) {
+  for (const std::uint64_t arcs : {5UL, 125UL}) {
+    Story story = parted(20, 50);
+    story.capacity(9'600).plan_word("marvin", "heliv", 30, 58.0, arcs);
+    EXPECT_THAT(story.broken("healed"), SizeIs(arcs < 100 ? 1 : 0)) << arcs;
+  }
+}
+
 TEST(HealedLaw, OnlyTheLastWordCounts) {
   Story story = parted(20, 50);
   story.plan_word("marvin", "heliv", 30, std::nullopt).plan_word("marvin", "heliv", 40, 50.2);

@@ -113,7 +113,8 @@ class UavTeller {
   }
   void hear(const lines::Frontier& line, const Written& when) {
     const bool sent = line.direction == "sent";
-    uav_.plan_words.push_back({seconds(when), sent ? line.to : line.from, sent});
+    uav_.plan_words.push_back(
+        {seconds(when), sent ? line.to : line.from, sent, line.arcs.value_or(0)});
   }
 
   void hear(const lines::Notice& line, const Written& when) { say(when, line.text); }

@@ -231,8 +231,8 @@ Story& Story::foretold(const std::string& uav, double at, int meeting, const std
 }
 
 Story& Story::plan_word(const std::string& from, const std::string& to, double at,
-                        std::optional<double> heard) {
-  add(at, from, lines::Frontier{.uav = from, .direction = "sent", .to = to});
+                        std::optional<double> heard, std::uint64_t arcs) {
+  add(at, from, lines::Frontier{.uav = from, .direction = "sent", .to = to, .arcs = arcs});
   if (heard) add(*heard, to, lines::Frontier{.uav = to, .direction = "received", .from = from});
   return *this;
 }

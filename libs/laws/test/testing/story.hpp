@@ -99,7 +99,7 @@ class Story {
                const std::string& word = "");
   /// One tells another of its plan; that hears it at `heard`, if at all.
   Story& plan_word(const std::string& from, const std::string& to, double at,
-                   std::optional<double> heard);
+                   std::optional<double> heard, std::uint64_t arcs = 0);
   /// What becomes of a motion that needs air; of one that waits, for whom and why.
   Story& air(const std::string& uav, double at, const std::string& state,
              const std::string& waits_for = "");

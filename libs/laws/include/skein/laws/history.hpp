@@ -123,6 +123,7 @@ struct PlanWord {
   double at = 0;
   std::string other;
   bool sent = false;
+  std::uint64_t arcs = 0;  ///< of the network that was told
 };
 
 /// True state of an object at an instant.

@@ -26,8 +26,8 @@ namespace skein::laws {
 std::vector<std::string> broken_protocol(const std::vector<journal::Record>& records,
                                          Duration command_limit = Duration::seconds(66));
 
-/// The `command_limit` of a scenario: the lifetime of its commands, and a tenth of a minute in which
-/// what came of them is told.
+/// The `command_limit` of a scenario: the lifetime of its commands, and a tenth of a minute in
+/// which what came of them is told.
 Duration command_limit(const scenario::Scenario& scenario);
 
 /// For messages of tests: one per line.
