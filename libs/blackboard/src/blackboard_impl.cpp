@@ -265,12 +265,12 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
       connections_.set_up(peer.channels().outgoing, false, now.steady, out_);
     }
     const bool takes_turns = condition.up && condition.capacity > 0;
-    if (LimitedChannel* limited = peer.limited(); limited != nullptr && !takes_turns)
-      for (const wire::Sample& state : limited->let_go()) write(peer.channels().outgoing, state);
+    if (peer.limited() != nullptr && !takes_turns) let_go(peer, condition.up);
     peer.set_outgoing(condition, now);
     if (changes && condition.up) {
       connections_.set_up(peer.channels().outgoing, true, now.steady, out_);
     }
+    if (condition.up && peer.limited() == nullptr) let_go(peer, true);
     serve(peer, now);
   } else {
     const bool changes = condition.up != peer.incoming_condition().up;
@@ -280,6 +280,10 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
     if (changes) connections_.set_up(peer.channels().incoming, condition.up, now.steady, out_);
     plan(peer);
   }
+}
+
+void Blackboard::Impl::let_go(Peer& peer, bool up) {
+  for (const wire::Sample& state : peer.let_go(up)) write(peer.channels().outgoing, state);
 }
 
 std::vector<Incoming> Blackboard::Impl::receive(Now now) {
@@ -416,7 +420,8 @@ void Blackboard::Impl::admit_from_peer(std::size_t channel, Peer& peer, wire::Sa
   if (novelty == Novelty::kReplayed) note_replay(channel, slot, header);
   if (is_event(slot)) return hear(peer);
   if (novelty != Novelty::kNew) return;
-  if (const auto* part = std::get_if<wire::Part>(&sample)) return admit_part(peer, *part, now);
+  if (const auto* part = std::get_if<wire::Part>(&sample))
+    return admit_part(channel, peer, *part, now);
   if (auto* report = std::get_if<wire::Neighbours>(&sample)) {
     if (forwarding_) hand_all(forwarding_->learn(std::move(*report)), now);
     return;

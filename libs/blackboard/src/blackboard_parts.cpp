@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Events that are too long to be said at once, as they go out and come in.
+// Events and states that are too long to be said at once, as they go out and come in.
 #include "blackboard_impl.hpp"
 
 namespace skein::blackboard {
@@ -35,13 +35,24 @@ void Blackboard::Impl::write_parts(Peer& peer, Now now) {
   }
 }
 
-void Blackboard::Impl::admit_part(Peer& peer, const wire::Part& part, Now now) {
-  auto event = peer.on_part(part, now, out_);
+// A state is as if it had come whole over that channel.
+void Blackboard::Impl::admit_part(std::size_t channel, Peer& peer, const wire::Part& part,
+                                  Now now) {
+  auto whole = peer.on_part(part, now, out_);
   hear(peer);
-  if (!event) return;
-  const auto* malformed = std::get_if<Malformed>(&*event);
+  if (!whole) return;
+  const auto* malformed = std::get_if<Malformed>(&*whole);
   if (malformed != nullptr) return refuse(malformed->slot, part.header, malformed->violation);
-  auto& sample = std::get<wire::Sample>(*event);
+  auto& sample = std::get<wire::Sample>(*whole);
+  const wire::Slot slot = wire::slot_of(sample);
+  if (wire::slot_class(slot) == wire::SlotClass::kEvent)
+    return admit_long_event(peer, part, std::move(sample), now);
+  freshness_.note_parts(slot, wire::header_of(sample));
+  admit(channel, std::move(sample), now);
+}
+
+void Blackboard::Impl::admit_long_event(Peer& peer, const wire::Part& part, wire::Sample sample,
+                                        Now now) {
   const wire::SampleHeader header = wire::header_of(sample);
   const wire::Slot slot = wire::slot_of(sample);
   if (const auto violation =

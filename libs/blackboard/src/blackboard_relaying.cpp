@@ -18,6 +18,7 @@ void Blackboard::Impl::hand_to(Peer& hop, wire::Sample sample, Now now) {
   const bool up = hop.outgoing_condition().up;
   LimitedChannel* limited = hop.limited();
   if (!up || limited == nullptr) {
+    if (is_state(slot)) hop.pass_by(sample);
     if (up || is_state(slot)) write(hop.channels().outgoing, sample);
     return;
   }
@@ -26,7 +27,7 @@ void Blackboard::Impl::hand_to(Peer& hop, wire::Sample sample, Now now) {
   if (each) {
     limited->pass(std::move(sample));
   } else {
-    limited->put(std::move(sample));
+    hop.put(std::move(sample));
   }
   write_in_turn(hop, now);
   plan(hop);

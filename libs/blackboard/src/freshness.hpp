@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <iterator>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "novelty.hpp"
@@ -16,7 +17,8 @@ namespace skein::blackboard {
 class Freshness {
  public:
   /// A sample that is newer than all admitted before it is recorded. One that is older than another
-  /// of the same incarnation is replayed.
+  /// of the same incarnation is replayed; unless values have come in parts, past the transport, which
+  /// gives the last one that it knows of again.
   Novelty admit(wire::Slot slot, const wire::SampleHeader& header) {
     const Version version{header.incarnation, header.sequence_number};
     const Key key{header.origin, slot, header.instance};
@@ -25,11 +27,16 @@ class Freshness {
     Version& newest = entry->second;
     if (version <= newest) {
       const bool is_older = version.first == newest.first && version < newest;
-      return is_older ? Novelty::kReplayed : Novelty::kKnown;
+      return is_older && !in_parts_.contains(key) ? Novelty::kReplayed : Novelty::kKnown;
     }
     if (version.first != newest.first) former_.insert_or_assign(key, newest);
     newest = version;
     return Novelty::kNew;
+  }
+
+  /// A value has come in parts.
+  void note_parts(wire::Slot slot, const wire::SampleHeader& header) {
+    in_parts_.insert({header.origin, slot, header.instance});
   }
 
   /// The origin is the life with this incarnation again, and what a later one said does not count:
@@ -62,6 +69,7 @@ class Freshness {
   using Version = std::pair<std::uint64_t, std::uint64_t>;
   std::unordered_map<Key, Version, Hash> newest_;
   std::unordered_map<Key, Version, Hash> former_;  ///< the newest of the incarnation before
+  std::unordered_set<Key, Hash> in_parts_;         ///< values of which have come in parts
 };
 
 }  // namespace skein::blackboard

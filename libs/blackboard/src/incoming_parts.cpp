@@ -5,38 +5,34 @@
 #include "skein/blackboard/cdr.hpp"
 
 namespace skein::blackboard {
-namespace {
 
-/// An event that hides in parts is one that a node may say, and no part of anything.
-bool is_event(std::uint8_t slot) {
-  return slot < wire::kSlotCount &&
-         wire::slot_class(static_cast<wire::Slot>(slot)) == wire::SlotClass::kEvent;
+/// What hides in parts is something that a node may say, and no part of anything.
+bool IncomingParts::makes_sense(const wire::Part& part) const {
+  const bool is_one_of_these = part.of_slot < wire::kSlotCount &&
+                               wire::slot_class(static_cast<wire::Slot>(part.of_slot)) == of_;
+  return is_one_of_these && part.total > 0 && part.total <= kLongest && !part.content.empty() &&
+         part.offset < part.total && part.content.size() <= part.total - part.offset;
 }
-
-bool makes_sense(const wire::Part& part) {
-  return is_event(part.of_slot) && part.total > 0 && part.total <= IncomingParts::kLongest &&
-         !part.content.empty() && part.offset < part.total &&
-         part.content.size() <= part.total - part.offset;
-}
-
-}  // namespace
 
 std::optional<std::variant<wire::Sample, Malformed>> IncomingParts::take(const wire::Part& part) {
   const std::uint64_t incarnation = part.header.incarnation;
   if (incarnation < incarnation_ || !makes_sense(part)) return std::nullopt;
   if (incarnation > incarnation_) {
-    *this = IncomingParts();
+    *this = IncomingParts(of_, quiet_);
     incarnation_ = incarnation;
   }
-  owes_ = true;
-  if (part.number <= handled_ || part.number < number_) return std::nullopt;
-  if (part.number != number_ || part.total != total_) {
+  const bool is_over = part.number <= handled_ || part.number < number_;
+  const bool begins = part.number != number_ || part.total != total_;
+  const bool follows = !is_over && part.offset == (begins ? 0 : there_);
+  if (!follows || ++since_told_ > quiet_) owes_ = true;
+  if (is_over) return std::nullopt;
+  if (begins) {
     number_ = part.number;
     total_ = part.total;
     there_ = 0;
     bytes_.clear();
   }
-  if (part.offset != there_) return std::nullopt;
+  if (!follows) return std::nullopt;
   bytes_.insert(bytes_.end(), part.content.begin(), part.content.end());
   there_ += static_cast<std::uint32_t>(part.content.size());
   if (there_ < total_) return std::nullopt;
@@ -53,7 +49,7 @@ void IncomingParts::commit() {
 
 void IncomingParts::recall(std::uint64_t incarnation, std::uint64_t number) {
   if (incarnation < incarnation_) return;
-  *this = IncomingParts();
+  *this = IncomingParts(of_, quiet_);
   incarnation_ = incarnation;
   number_ = handled_ = number;
 }

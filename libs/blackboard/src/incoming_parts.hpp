@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The receiving half of a session of long events, which are sent in parts.
+// The receiving half of a session of long events or states, which are sent in parts.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace skein::blackboard {
 
-/// Reassembles the long events of one peer and delivers each once.
+/// Reassembles the long events of one peer, or its long states, and delivers each once.
 ///
 /// | from          | part                              | to                                |
 /// |---------------|-----------------------------------|-----------------------------------|
@@ -24,6 +24,11 @@ class IncomingParts {
   /// [byte] Greatest length of an event.
   static constexpr std::uint32_t kLongest = 16U << 20U;
 
+  /// `of`: events or states. `quiet`: so many parts that come as they should need no
+  /// acknowledgement.
+  explicit IncomingParts(wire::SlotClass of = wire::SlotClass::kEvent, std::uint32_t quiet = 0)
+      : of_(of), quiet_(quiet) {}
+
   /// Returns the event if this is its last part (decoded, not checked otherwise), or why it cannot
   /// be decoded.
   std::optional<std::variant<wire::Sample, Malformed>> take(const wire::Part& part);
@@ -34,12 +39,20 @@ class IncomingParts {
 
   /// Whether an acknowledgement is owed to the peer.
   bool owes() const { return owes_; }
-  void told() { owes_ = false; }
+  void told() {
+    owes_ = false;
+    since_told_ = 0;
+  }
   std::uint64_t ack_incarnation() const { return incarnation_; }
   std::uint64_t ack_number() const { return number_; }
   std::uint32_t ack_bytes() const;
 
  private:
+  bool makes_sense(const wire::Part& part) const;
+
+  wire::SlotClass of_;
+  std::uint32_t quiet_;
+  std::uint32_t since_told_ = 0;   ///< parts that came as they should
   std::uint64_t incarnation_ = 0;  ///< of the peer
   std::uint64_t number_ = 0;       ///< of the event that is coming, or came last
   std::uint64_t handled_ = 0;      ///< number of the last event handled

@@ -10,6 +10,9 @@
 
 namespace skein::blackboard {
 
+/// Of a long state so many parts may come before it is acknowledged: less than is under way.
+inline constexpr std::uint32_t kQuietParts = 8;
+
 /// What was heard of one incarnation of a peer.
 struct Life {
   Life(NodeNumber self, std::uint64_t self_incarnation) : incoming(self, self_incarnation) {}
@@ -22,7 +25,8 @@ struct Life {
   std::uint64_t newest_heartbeat = 0;  ///< its sequence number
   Duration last_heard;                 ///< steady
   IncomingEvents incoming;
-  IncomingParts parts;
+  IncomingParts parts;  ///< of events
+  IncomingParts state_parts{wire::SlotClass::kState, kQuietParts};
 };
 
 /// Another life beside the one that is taken for the peer. It is forgotten after three heartbeat

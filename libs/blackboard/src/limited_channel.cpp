@@ -53,9 +53,15 @@ LimitedChannel::LimitedChannel(const std::vector<wire::Slot>& slots, const SlotS
 std::optional<LimitedChannel::Turn> LimitedChannel::next(const Waiting& first, Duration now) {
   if (now < schedule_.free_at()) return std::nullopt;
   std::vector<std::size_t> waiting{first.heartbeat, first.event, first.part};
+  std::vector<bool> is_long;
   for (const wire::Slot slot : slots_) {
     const wire::Sample* value = values_.first(slot);
-    waiting.push_back(value == nullptr ? 0 : channel_bytes(*value));
+    const auto part =
+        std::ranges::find(first.long_states, slot, &std::pair<wire::Slot, std::size_t>::first);
+    const bool has_part = part != first.long_states.end();
+    is_long.push_back(has_part && (value == nullptr || turn_of_long_));
+    const std::size_t bytes = value == nullptr ? 0 : channel_bytes(*value);
+    waiting.push_back(is_long.back() ? part->second : bytes);
   }
   const auto flow = schedule_.pick(waiting, now);
   if (!flow) return std::nullopt;
@@ -63,7 +69,8 @@ std::optional<LimitedChannel::Turn> LimitedChannel::next(const Waiting& first, D
   if (*flow == kEvents) turn.of = Turn::Of::kEvents;
   if (*flow == kParts) turn.of = Turn::Of::kPart;
   if (*flow >= kFirstValue) {
-    turn.of = Turn::Of::kValue;
+    turn_of_long_ = !is_long[*flow - kFirstValue];
+    turn.of = turn_of_long_ ? Turn::Of::kValue : Turn::Of::kLongState;
     turn.slot = slots_[*flow - kFirstValue];
   }
   return turn;

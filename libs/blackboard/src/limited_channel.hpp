@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "channel_schedule.hpp"
@@ -15,13 +16,14 @@
 namespace skein::blackboard {
 
 /// Decides what is written next on a channel. States, streams and relayed samples wait here;
-/// heartbeats, events and parts wait in their sessions, so that they are up to date when written.
+/// heartbeats, events and parts, also of long states, wait in their sessions, so that they are up
+/// to date when written.
 class LimitedChannel {
  public:
   struct Turn {
-    enum class Of : std::uint8_t { kHeartbeat, kEvents, kPart, kValue };
+    enum class Of : std::uint8_t { kHeartbeat, kEvents, kPart, kValue, kLongState };
     Of of = Of::kHeartbeat;
-    wire::Slot slot = wire::Slot::kHeartbeat;  ///< of a value
+    wire::Slot slot = wire::Slot::kHeartbeat;  ///< of a value or a long state
     std::size_t flow = 0;
     std::size_t bytes = 0;
   };
@@ -42,6 +44,9 @@ class LimitedChannel {
 
   /// Queues a state or a stream.
   void put(wire::Sample value) { shed_ += values_.put(std::move(value)) ? 1 : 0; }
+  void shed_one() { ++shed_; }
+  /// A newer value goes another way.
+  void drop(const wire::Sample& newer) { shed_ += values_.drop(newer) ? 1 : 0; }
   bool has_any() const { return !values_.empty() || !passing_.empty(); }
   /// Ends the scheduling. Returns the waiting states, to be written at once, so that the transport
   /// keeps them for late readers; waiting streams are dropped.
@@ -61,6 +66,8 @@ class LimitedChannel {
     std::size_t heartbeat = 0;
     std::size_t event = 0;  ///< the first one
     std::size_t part = 0;   ///< of a long event
+    /// Of long states: part of one, in each slot that has any.
+    std::vector<std::pair<wire::Slot, std::size_t>> long_states = {};
   };
   /// What is to be written now; nothing while a sample is under way or none waits.
   std::optional<Turn> next(const Waiting& first, Duration now);
@@ -76,6 +83,7 @@ class LimitedChannel {
   ChannelSchedule schedule_;
   WaitingValues values_;
   std::deque<wire::Sample> passing_;
+  bool turn_of_long_ = false;  ///< where a slot has long and short states
   std::uint64_t shed_ = 0;
 };
 

@@ -52,6 +52,7 @@ void Lives::follow(std::uint64_t incarnation, bool reachable, Duration now) {
   } else if (!reachable) {
     next.incoming = std::move(present_.incoming);  // which may have its first events
     next.parts = std::move(present_.parts);
+    next.state_parts = std::move(present_.state_parts);
   }
   next.incarnation = incarnation;
   const bool first_is_alive = rival_ && is_former(rival_->life.incarnation) && rival_->words > 0;

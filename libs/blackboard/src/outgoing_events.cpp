@@ -3,7 +3,9 @@
 #include "outgoing_events.hpp"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/repeats.hpp"
@@ -14,6 +16,15 @@ namespace {
 
 /// Expired before any time.
 constexpr std::int64_t kLongAgo = std::numeric_limits<std::int64_t>::min();
+
+/// Leaves the event's place in the sequence, and nothing that it said: a narrow channel has better
+/// to carry.
+void bury(wire::Sample& event) {
+  wire::SampleHeader header = std::move(wire::header_of(event));
+  header.expires = kLongAgo;
+  std::visit([](auto& sample) { sample = std::decay_t<decltype(sample)>(); }, event);
+  wire::header_of(event) = std::move(header);
+}
 
 }  // namespace
 
@@ -35,7 +46,7 @@ void OutgoingEvents::give_up(std::uint64_t sequence) {
   if (sequence < oldest() || sequence >= next_) return;
   Held& event = held_[sequence - oldest()];
   event.given_up = true;
-  wire::header_of(event.sample).expires = kLongAgo;
+  bury(event.sample);
   drop_given_up();
 }
 
@@ -77,13 +88,13 @@ void OutgoingEvents::become(std::uint64_t incarnation) {
 std::vector<EventExpired> OutgoingEvents::expire(MissionTime now) {
   std::vector<EventExpired> expired;
   for (Held& event : held_) {
-    wire::SampleHeader& header = wire::header_of(event.sample);
+    const wire::SampleHeader& header = wire::header_of(event.sample);
     if (event.given_up || header.expires >= now.count()) continue;
     event.given_up = true;
-    header.expires = kLongAgo;
     expired.push_back({wire::slot_of(event.sample), NodeNumber(header.origin),
                        NodeNumber(header.destination), header.sequence_number, header.incarnation,
                        event.receipt, event.may_have_arrived});
+    bury(event.sample);
   }
   drop_given_up();
   return expired;

@@ -20,7 +20,8 @@ namespace skein::blackboard {
 /// these may be all that is missing.
 ///
 /// An expired event leaves at once if it is the oldest. Behind an older one that still waits, it
-/// stays as a tombstone, expired long ago, so that the peer sees no gap it would have to wait for.
+/// stays as a tombstone, empty and expired long ago, so that the peer sees no gap it would have to
+/// wait for.
 class OutgoingEvents {
  public:
   static constexpr std::size_t kAgainAtOnce = 8;

@@ -3,22 +3,33 @@
 #include "outgoing_parts.hpp"
 
 #include <algorithm>
+#include <variant>
 
 #include "skein/blackboard/cdr.hpp"
 #include "skein/foundation/contract.hpp"
 
 namespace skein::blackboard {
+namespace {
 
-void OutgoingParts::hold(const wire::Sample& event, std::uint64_t receipt) {
-  const wire::SampleHeader& header = wire::header_of(event);
-  SKEIN_EXPECTS(header.sequence_number == next_);
-  ++next_;
+std::vector<std::uint8_t> in_cdr(const wire::Sample& sample) {
+  std::vector<std::uint8_t> bytes(encoded_size(sample));
+  bytes.resize(encode(sample, bytes));
+  return bytes;
+}
+
+}  // namespace
+
+void OutgoingParts::hold(const wire::Sample& sample, std::uint64_t receipt) {
+  const wire::SampleHeader& header = wire::header_of(sample);
+  const wire::Slot slot = wire::slot_of(sample);
+  SKEIN_EXPECTS(wire::slot_class(slot) != wire::SlotClass::kEvent ||
+                header.sequence_number == next_);
   Held& held = held_.emplace_back();
-  held.slot = wire::slot_of(event);
+  held.number = next_++;
+  held.slot = slot;
   held.header = header;
   held.receipt = receipt;
-  held.bytes.resize(encoded_size(event));
-  held.bytes.resize(encode(event, held.bytes));
+  held.bytes = in_cdr(sample);
   bytes_ += held.bytes.size();
 }
 
@@ -34,8 +45,7 @@ void OutgoingParts::drop_front() {
 }
 
 void OutgoingParts::give_up(std::uint64_t number) {
-  const auto found = std::ranges::find_if(
-      held_, [&](const Held& one) { return one.header.sequence_number == number; });
+  const auto found = std::ranges::find(held_, number, &Held::number);
   if (found == held_.end()) return;
   if (found == held_.begin()) return drop_front();
   drop(found);
@@ -44,14 +54,13 @@ void OutgoingParts::give_up(std::uint64_t number) {
 std::vector<std::uint64_t> OutgoingParts::heard(std::uint64_t number, std::uint32_t bytes) {
   std::vector<std::uint64_t> receipts;
   const auto has = [&](const Held& one) {
-    const std::uint64_t its = one.header.sequence_number;
-    return its < number || (its == number && bytes >= one.bytes.size());
+    return one.number < number || (one.number == number && bytes >= one.bytes.size());
   };
   while (number < next_ && !held_.empty() && has(held_.front())) {
     if (held_.front().receipt != 0) receipts.push_back(held_.front().receipt);
     drop_front();
   }
-  if (held_.empty() || held_.front().header.sequence_number != number) return receipts;
+  if (held_.empty() || held_.front().number != number) return receipts;
   if (bytes < acked_) next_byte_ = bytes;
   acked_ = bytes;
   next_byte_ = std::max(next_byte_, bytes);
@@ -59,15 +68,21 @@ std::vector<std::uint64_t> OutgoingParts::heard(std::uint64_t number, std::uint3
 }
 
 void OutgoingParts::recall_acknowledged(std::uint64_t number) {
-  while (!held_.empty() && held_.front().header.sequence_number <= number) drop_front();
+  while (!held_.empty() && held_.front().number <= number) drop_front();
 }
 
 std::uint64_t OutgoingParts::settled() const {
-  return (held_.empty() ? next_ : held_.front().header.sequence_number) - 1;
+  return (held_.empty() ? next_ : held_.front().number) - 1;
 }
 
 void OutgoingParts::become(std::uint64_t incarnation) {
-  for (Held& one : held_) one.header.incarnation = incarnation;
+  for (Held& one : held_) {
+    one.header.incarnation = incarnation;
+    auto again = decode(one.slot, one.bytes);
+    auto& sample = std::get<wire::Sample>(again);
+    wire::header_of(sample).incarnation = incarnation;
+    one.bytes = in_cdr(sample);
+  }
   acked_ = next_byte_ = 0;
 }
 
@@ -79,7 +94,7 @@ std::vector<EventExpired> OutgoingParts::expire(MissionTime now) {
     expired.push_back({one.slot, NodeNumber(one.header.origin), NodeNumber(one.header.destination),
                        one.header.sequence_number, one.header.incarnation, one.receipt,
                        one.may_have_arrived});
-    give_up(one.header.sequence_number);
+    give_up(one.number);
   }
   std::ranges::reverse(expired);
   return expired;
@@ -96,7 +111,7 @@ std::optional<wire::Part> OutgoingParts::next(Duration now, std::uint32_t most_b
   if (!due || *due > now) return std::nullopt;
   const Held& front = held_.front();
   wire::Part part;
-  part.number = front.header.sequence_number;
+  part.number = front.number;
   part.of_slot = static_cast<std::uint8_t>(front.slot);
   part.total = static_cast<std::uint32_t>(front.bytes.size());
   part.offset = window_is_open(most_bytes) ? next_byte_ : acked_;
@@ -107,7 +122,7 @@ std::optional<wire::Part> OutgoingParts::next(Duration now, std::uint32_t most_b
 }
 
 void OutgoingParts::written(const wire::Part& part, Duration until) {
-  if (held_.empty() || held_.front().header.sequence_number != part.number) return;
+  if (held_.empty() || held_.front().number != part.number) return;
   next_byte_ = part.offset + static_cast<std::uint32_t>(part.content.size());
   last_written_ = until;
   if (next_byte_ == part.total && contact_) held_.front().may_have_arrived = true;

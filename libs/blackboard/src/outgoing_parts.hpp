@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sending half of a session of long events, which are sent in parts.
+// The sending half of a session of long events or states, which are sent in parts.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace skein::blackboard {
 
-/// Sends long events to one peer in parts, one event after the other. At most kPartsUnderWay parts
+/// Sends long events to one peer in parts, one event after the other; long states likewise (see
+/// LongStates), in a session of their own. At most kPartsUnderWay parts
 /// are under way beyond the bytes that the peer has acknowledged. After a time-out without a new
 /// acknowledgement, or if the peer acknowledges less than before (it has restarted), the parts are
 /// written again from the acknowledged byte on. So the sender treats cuts, lost parts and restarts
@@ -21,15 +22,16 @@ class OutgoingParts {
   static constexpr std::size_t kMostHeld = 256;
   static constexpr std::size_t kMostBytes = 16U << 20U;  ///< of held events; then full() is true
 
-  explicit OutgoingParts(Duration retransmission) : retransmission_(retransmission) {}
+  explicit OutgoingParts(Duration retransmission, std::uint64_t first = kFirstLongEvent)
+      : retransmission_(retransmission), next_(first) {}
 
   bool full() const { return held_.size() >= kMostHeld || bytes_ >= kMostBytes; }
   bool empty() const { return held_.empty(); }
   std::size_t size() const { return held_.size(); }
-  /// The number of the next long event, from kFirstLongEvent on.
+  /// The number of the next one that is held.
   std::uint64_t next_number() const { return next_; }
-  /// The header of `event` must carry next_number().
-  void hold(const wire::Sample& event, std::uint64_t receipt);
+  /// The header of an event must carry next_number().
+  void hold(const wire::Sample& sample, std::uint64_t receipt);
   /// The event was reported as expired in a former life.
   void give_up(std::uint64_t number);
   /// The peer has acknowledged all events before `number`, and this many bytes of event `number`.
@@ -55,6 +57,7 @@ class OutgoingParts {
 
  private:
   struct Held {
+    std::uint64_t number = 0;
     wire::Slot slot{};
     wire::SampleHeader header;
     std::vector<std::uint8_t> bytes;
@@ -68,7 +71,7 @@ class OutgoingParts {
   Duration retransmission_;
   std::vector<Held> held_;  ///< mostly empty (a vector, which then takes no heap memory)
   std::size_t bytes_ = 0;   ///< of all events held
-  std::uint64_t next_ = kFirstLongEvent;
+  std::uint64_t next_;
   std::uint32_t acked_ = 0, next_byte_ = 0;  ///< of the first
   Duration last_written_;
   bool contact_ = false;

@@ -3,6 +3,7 @@
 #include "peer.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace skein::blackboard {
@@ -29,7 +30,15 @@ constexpr double kLongEvent = 16'384, kLeastLongEvent = 1024;
 /// Content of a part [byte], as long as the wire allows and no longer than others may wait for it.
 constexpr double kLongestPart = 4096, kShortestPart = 512;
 constexpr double kPartsASecond = 4;
+/// A state of more goes in parts, on a channel of limited capacity.
+constexpr std::size_t kPartsOfALongState = 2;
 constexpr double kBitsPerByte = 8;
+
+void acknowledge(const IncomingParts& incoming, wire::Part& by) {
+  by.ack_incarnation = incoming.ack_incarnation();
+  by.ack_number = incoming.ack_number();
+  by.ack_bytes = incoming.ack_bytes();
+}
 
 std::optional<Duration> sooner(std::optional<Duration> a, std::optional<Duration> b) {
   if (!a || !b) return a ? a : b;
@@ -96,6 +105,7 @@ void Peer::set_way(std::size_t relays, bool heard_of, bool anew, Now now) {
   if (!session_) return;
   session_->outgoing.resend();
   session_->parts_out.resend();
+  session_->long_states.resend();
 }
 
 // Who is heard by somebody is only waited for while the way past that one opens.
@@ -118,7 +128,7 @@ Novelty Peer::on_event(const wire::SampleHeader& header, std::optional<wire::Sam
 
 void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out) {
   const std::uint64_t incarnation = heartbeat.header.incarnation;
-  auto& [outgoing, parts_out, lives] = session();
+  auto& [outgoing, parts_out, long_states, lives] = session();
   const bool is_former_again =
       lives.is_former(incarnation) && lives.former_goes_on(silence_limit(), now.steady);
   if (incarnation < lives.present().incarnation) return;
@@ -136,6 +146,8 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
     out.emplace_back(Reachability{channels_.number, true, restarted});
     outgoing.resend();
     parts_out.resend();
+    long_states.resend();
+    if (restarted) long_states.begin_again();
     next_heartbeat_ = now.steady;
     lives.present().incoming.begin_contact();
   }
@@ -173,6 +185,7 @@ void Peer::on_old_heartbeat() {
 void Peer::become(std::uint64_t incarnation, Duration now) {
   session().outgoing.become(incarnation);
   session().parts_out.become(incarnation);
+  session().long_states.drop_from(config_->self.value());
   session().lives.become(incarnation);
   next_heartbeat_ = now;
 }
@@ -228,7 +241,7 @@ void Peer::recall_reachable(bool reachable) {
 // The silence of a peer that was in reach is counted from the first update of this life.
 void Peer::update(Now now, std::vector<Incoming>& out) {
   if (!session_) return;
-  auto& [outgoing, parts_out, lives] = *session_;
+  auto& [outgoing, parts_out, long_states, lives] = *session_;
   Life& life = lives.present();
   if (recalled_ && life.last_heard == Duration{}) life.last_heard = now.steady;
   if (reachable_ && now.steady - life.last_heard >= silence_limit()) {
@@ -256,7 +269,7 @@ wire::Heartbeat Peer::take_heartbeat(Duration steady) {
   next_heartbeat_ = steady + between_heartbeats(period_);
   acknowledge_at_.reset();
   if (session_) session_->lives.present().incoming.acknowledged();
-  const auto& [outgoing, parts_out, lives] = known();
+  const auto& [outgoing, parts_out, long_states, lives] = known();
   wire::Heartbeat heartbeat;
   heartbeat.events_from = outgoing.oldest();
   heartbeat.events_to = outgoing.next_sequence() - 1;
@@ -283,6 +296,33 @@ std::uint32_t Peer::bytes_of_a_part() const {
       std::clamp(limited_->capacity() / kBitsPerByte / kPartsASecond, kShortestPart, kLongestPart));
 }
 
+bool Peer::is_long_state(const wire::Sample& value) const {
+  return limited_ && wire::slot_class(wire::slot_of(value)) == wire::SlotClass::kState &&
+         config_->channels[channels_.outgoing].carries(wire::Slot::kPart) &&
+         channel_bytes(value) > kPartsOfALongState * bytes_of_a_part();
+}
+
+void Peer::put(wire::Sample value) {
+  if (is_long_state(value)) {
+    limited_->drop(value);
+    if (session().long_states.put(std::move(value))) limited_->shed_one();
+    return;
+  }
+  if (session_ && session_->long_states.drop(value)) limited_->shed_one();
+  limited_->put(std::move(value));
+}
+
+void Peer::pass_by(const wire::Sample& state) {
+  if (session_) session_->long_states.drop(state);
+}
+
+std::vector<wire::Sample> Peer::let_go(bool up) {
+  std::vector<wire::Sample> states;
+  if (session_ && up) states = session_->long_states.let_go();
+  if (limited_) std::ranges::move(limited_->let_go(), std::back_inserter(states));
+  return states;
+}
+
 std::optional<std::variant<wire::Sample, Malformed>> Peer::on_part(const wire::Part& part, Now now,
                                                                    std::vector<Incoming>& out) {
   Life& life = session().lives.present();
@@ -291,12 +331,17 @@ std::optional<std::variant<wire::Sample, Malformed>> Peer::on_part(const wire::P
   if (part.ack_incarnation == self_incarnation()) {
     for (const std::uint64_t receipt : session().parts_out.heard(part.ack_number, part.ack_bytes))
       out.emplace_back(EventDelivered{channels_.number, receipt});
+    if (part.ack_number < kFirstLongEvent)
+      session().long_states.heard(part.ack_number, part.ack_bytes);
   }
   if (part.number == 0) return std::nullopt;
-  auto event = life.parts.take(part);
-  if (life.parts.owes() && !acknowledge_parts_at_)
+  const bool of_event = part.number >= kFirstLongEvent;
+  IncomingParts& incoming = of_event ? life.parts : life.state_parts;
+  auto sample = incoming.take(part);
+  if (!of_event) incoming.commit();
+  if (incoming.owes() && !acknowledge_parts_at_)
     acknowledge_parts_at_ = now.steady + acknowledgement_delay();
-  return event;
+  return sample;
 }
 
 std::optional<wire::Part> Peer::due_part(Now now) const {
@@ -305,17 +350,36 @@ std::optional<wire::Part> Peer::due_part(Now now) const {
   const bool owes = can_send() && acknowledge_parts_at_ && now.steady >= *acknowledge_parts_at_;
   if (!part && !owes) return std::nullopt;
   if (!part) part.emplace();
-  const IncomingParts& incoming = known().lives.present().parts;
-  part->ack_incarnation = incoming.ack_incarnation();
-  part->ack_number = incoming.ack_number();
-  part->ack_bytes = incoming.ack_bytes();
+  const Life& life = known().lives.present();
+  acknowledge(!part->content.empty() || life.parts.owes() ? life.parts : life.state_parts, *part);
   return part;
 }
 
 void Peer::part_written(const wire::Part& part, Duration until) {
-  session().lives.present().parts.told();
-  acknowledge_parts_at_.reset();
-  if (part.number != 0) session().parts_out.written(part, until);
+  Life& life = session().lives.present();
+  const bool tells_of_states = part.ack_number != 0 && part.ack_number < kFirstLongEvent;
+  (tells_of_states ? life.state_parts : life.parts).told();
+  if (!life.parts.owes() && !life.state_parts.owes()) acknowledge_parts_at_.reset();
+  if (part.number >= kFirstLongEvent) session().parts_out.written(part, until);
+}
+
+std::vector<std::pair<wire::Slot, std::size_t>> Peer::due_of_states(Now now) const {
+  if (!sends_state_parts()) return {};
+  auto due = session_->long_states.due(now.steady, bytes_of_a_part(), round_trip());
+  for (auto& [slot, bytes] : due) {
+    wire::Part part;
+    part.content.resize(bytes);
+    bytes = channel_bytes(part);
+  }
+  return due;
+}
+
+wire::Part Peer::take_state_part(wire::Slot slot, Now now, Duration until) {
+  wire::Part part =
+      session_->long_states.take(slot, bytes_of_a_part(), now.steady, round_trip(), until);
+  acknowledge(session_->lives.present().state_parts, part);
+  part_written(part, until);
+  return part;
 }
 
 std::optional<wire::Part> Peer::take_part(Now now) {
@@ -333,7 +397,7 @@ std::optional<wire::Sample> Peer::take_next(Now now) {
   const wire::Sample* event = passes ? passing : own;
   std::optional<wire::Sample> part;
   if (relays_ == 0) part = due_part(now);
-  LimitedChannel::Waiting first;
+  LimitedChannel::Waiting first{.long_states = due_of_states(now)};
   if (heartbeat_due(now.steady)) first.heartbeat = heartbeat_bytes();
   if (event != nullptr) first.event = channel_bytes(*event);
   if (part) first.part = channel_bytes(*part);
@@ -346,6 +410,8 @@ std::optional<wire::Sample> Peer::take_next(Now now) {
   }
   if (turn->of == LimitedChannel::Turn::Of::kHeartbeat) return take_heartbeat(now.steady);
   if (turn->of == LimitedChannel::Turn::Of::kValue) return limited_->take(*turn);
+  if (turn->of == LimitedChannel::Turn::Of::kLongState)
+    return take_state_part(turn->slot, now, until);
   turn_of_passing_ = !passes;
   if (passes) return limited_->take_passing();
   wire::Sample written = *event;
@@ -362,6 +428,8 @@ std::optional<Duration> Peer::next_wakeup() const {
   write = sooner(write, acknowledge_parts_at_);
   if (sends_parts())
     write = sooner(write, known().parts_out.next_due(bytes_of_a_part(), round_trip()));
+  if (sends_state_parts())
+    write = sooner(write, session_->long_states.next_due(bytes_of_a_part(), round_trip()));
   if (limited_ && out_condition_.up) {
     if (limited_->has_any()) write = limited_->free_at();
     write = std::max(*write, limited_->free_at());

@@ -12,6 +12,7 @@
 
 #include "limited_channel.hpp"
 #include "lives.hpp"
+#include "long_states.hpp"
 #include "outgoing_events.hpp"
 #include "outgoing_parts.hpp"
 #include "skein/blackboard/blackboard.hpp"
@@ -41,9 +42,11 @@ class Peer {
     explicit Session(const Config& config)
         : outgoing(config.held_events, config.retransmission),
           parts_out(config.retransmission),
+          long_states(config.retransmission),
           lives(config) {}
     OutgoingEvents outgoing;
-    OutgoingParts parts_out;
+    OutgoingParts parts_out;  ///< of long events
+    LongStates long_states;
     Lives lives;
   };
   /// The configuration and `none`, a session without content, outlive the peer.
@@ -72,6 +75,8 @@ class Peer {
   const OutgoingParts& outgoing_parts() const { return known().parts_out; }
   /// Whether the event is sent in parts; the same in every life.
   bool is_long(const wire::Sample& event) const;
+  /// Whether the state goes in parts over the channel as it is now.
+  bool is_long_state(const wire::Sample& value) const;
   /// Whether there is room to hold the event until it is acknowledged.
   bool has_room_for(const wire::Sample& event) const;
   /// The sequence number that the header of the event must carry for hold().
@@ -85,6 +90,13 @@ class Peer {
   /// The scheduler of the channel to the peer; null if its capacity is unlimited.
   LimitedChannel* limited() { return limited_.get(); }
   const LimitedChannel* limited() const { return limited_.get(); }
+  /// Queues a state or a stream on a channel of limited capacity.
+  void put(wire::Sample value);
+  /// A state to the peer is given to the transport, which keeps it: older ones need not be said.
+  void pass_by(const wire::Sample& state);
+  /// States that wait for room in a channel that takes no turns any more, to be written at once;
+  /// the long ones only if it is up.
+  std::vector<wire::Sample> let_go(bool up);
   /// The route to the peer has this many relays (0: direct). `heard_of`: relays connect the peer to
   /// this node. `anew`: all events are written again.
   void set_way(std::size_t relays, bool heard_of, bool anew, Now now);
@@ -154,12 +166,18 @@ class Peer {
   Duration acknowledgement_delay() const;
   void owe_acknowledgement(Duration now);
   void take_acknowledgement(const wire::Heartbeat& heartbeat, std::vector<Incoming>& out);
-  /// The part to be written now: content of an own event, or an acknowledgement of the peer's.
+  /// The part to be written now: content of an own event, or an acknowledgement of what came in
+  /// parts from the peer.
   std::optional<wire::Part> due_part(Now now) const;
   void part_written(const wire::Part& part, Duration until);
+  /// The next part of a long state, without header; counts as written.
+  wire::Part take_state_part(wire::Slot slot, Now now, Duration until);
+  /// What may go of long states now, on the channel: bytes by slot.
+  std::vector<std::pair<wire::Slot, std::size_t>> due_of_states(Now now) const;
   std::uint32_t bytes_of_a_part() const;
   /// Parts are sent only while there is contact in both directions.
   bool sends_parts() const { return can_send() && reachable_ && is_heard_ && !recalled_; }
+  bool sends_state_parts() const { return limited_ && relays_ == 0 && sends_parts() && session_; }
   void limit(double capacity, Duration now);
 
   Duration silence_limit() const;

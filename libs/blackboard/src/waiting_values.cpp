@@ -3,12 +3,25 @@
 
 namespace skein::blackboard {
 
-bool WaitingValues::put(wire::Sample value) {
+WaitingValues::Key WaitingValues::key_of(const wire::Sample& value) {
   const wire::SampleHeader& header = wire::header_of(value);
-  const Key key{wire::slot_of(value), {header.origin, header.destination, header.instance}};
+  return {wire::slot_of(value), {header.origin, header.destination, header.instance}};
+}
+
+bool WaitingValues::put(wire::Sample value) {
+  const Key key = key_of(value);
   const bool is_new = values_.insert_or_assign(key, std::move(value)).second;
   if (is_new) order_[key.first].push_back(key.second);
   return !is_new;
+}
+
+bool WaitingValues::drop(const wire::Sample& like) {
+  const Key key = key_of(like);
+  if (values_.erase(key) == 0) return false;
+  const auto order = order_.find(key.first);
+  std::erase(order->second, key.second);
+  if (order->second.empty()) order_.erase(order);
+  return true;
 }
 
 const wire::Sample* WaitingValues::first(wire::Slot slot) const {

@@ -21,6 +21,9 @@ class WaitingValues {
  public:
   /// True if `value` replaced an older one.
   bool put(wire::Sample value);
+  /// Removes the value of the same slot and instance; false if there is none.
+  bool drop(const wire::Sample& like);
+  bool has(const wire::Sample& like) const { return values_.contains(key_of(like)); }
   bool empty() const { return values_.empty(); }
   /// The next value of a slot; null if none waits. Valid until the next call of another function.
   const wire::Sample* first(wire::Slot slot) const;
@@ -32,6 +35,8 @@ class WaitingValues {
   /// Origin, destination, instance: a relay's channel carries values of several nodes.
   using Instance = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
   using Key = std::pair<wire::Slot, Instance>;
+  static Key key_of(const wire::Sample& value);
+
   std::map<Key, wire::Sample> values_;
   std::map<wire::Slot, std::deque<Instance>> order_;  ///< instances
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The law of events that are too long to be said at once, over every transport.
+// The laws of events and states that are too long to be said at once, over every transport.
 #include <algorithm>
 
 #include "testing/laws.hpp"
@@ -41,6 +41,38 @@ TEST_F(BlackboardLaws, ALongEventComesWholeAndOnceBesideCommandsAndTelemetry) {
   EXPECT_EQ(whole()[0].goals, sent.goals);
   EXPECT_TRUE(std::ranges::is_sorted(events(kGround)));
   EXPECT_GT(system.values<wire::Telemetry>(kGround).size(), 3U);
+}
+
+// A channel of 200 kbit/s: a state of 20 kB takes a second of it.
+TEST_F(BlackboardLaws, ALongStateComesOverANarrowChannelAndAgainToThePeersNextLife) {
+  start_pair();
+  const ChannelCondition narrow{.up = true, .latency = {}, .loss = 0, .capacity = 2e5};
+  const auto make_narrow = [&] {
+    system.set_condition(kMarvin, kGround, narrow);
+    system.set_condition(kGround, kMarvin, narrow);
+  };
+  const auto last = [&] {
+    const auto values = system.values<wire::AutonomyDegree>(kGround);
+    return values.empty() ? 0 : values.back().degree;
+  };
+  const auto plan = [](std::uint8_t value) {
+    wire::AutonomyDegree state = degree(value);
+    state.contact_policy.assign(20'000, 'a');
+    return state;
+  };
+  make_narrow();
+
+  send(kMarvin, kGround, plan(2));
+  EXPECT_TRUE(system.run_until([&] { return last() == 2; }));
+  send(kMarvin, kGround, plan(3));
+  EXPECT_TRUE(system.run_until([&] { return last() == 3; }));
+
+  system.kill(kGround);
+  system.start(kGround);
+  make_narrow();
+  EXPECT_TRUE(system.run_until([&] { return last() == 3; }));
+  send(kMarvin, kGround, degree(4));
+  EXPECT_TRUE(system.run_until([&] { return last() == 4; }));
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "incoming_parts.hpp"
@@ -95,6 +97,22 @@ TEST(OutgoingParts, WhatWasAcknowledgedInAFormerLifeIsNotSaidAgain) {
   parts.recall_acknowledged(kFirstLongEvent + 1);
 
   EXPECT_EQ(parts.next({}, 1'000, {})->number, kFirstLongEvent + 2);
+}
+
+// Its receiver compares the incarnation of the event with that of its parts.
+TEST(OutgoingParts, WhoTakesAnotherIncarnationSaysItInTheEventToo) {
+  OutgoingParts out(kRetransmission);
+  out.hold(numbered(kFirstLongEvent, 5'000), 0);
+  out.become(7);
+  IncomingParts in;
+  std::optional<std::variant<wire::Sample, Malformed>> whole;
+  while (const auto part = out.next({}, 1'000, {})) {
+    out.written(*part, {});
+    whole = in.take(with_header(*part, 7));
+  }
+
+  ASSERT_TRUE(whole.has_value());
+  EXPECT_EQ(wire::header_of(std::get<wire::Sample>(*whole)).incarnation, 7U);
 }
 
 TEST(OutgoingParts, WhatExpiresIsToldAndMakesWayForTheNext) {

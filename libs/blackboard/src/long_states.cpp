@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "long_states.hpp"
+
+#include <algorithm>
+
+#include "skein/blackboard/cdr.hpp"
+#include "skein/foundation/contract.hpp"
+
+namespace skein::blackboard {
+namespace {
+
+bool is_of_same_state(const wire::Sample& one, const wire::Sample& other) {
+  const wire::SampleHeader &a = wire::header_of(one), &b = wire::header_of(other);
+  return wire::slot_of(one) == wire::slot_of(other) && a.origin == b.origin &&
+         a.destination == b.destination && a.instance == b.instance;
+}
+
+bool is_from(const wire::Sample& sample, std::uint32_t origin) {
+  return wire::header_of(sample).origin == origin;
+}
+
+}  // namespace
+
+bool LongStates::put(wire::Sample state) {
+  told_.drop(state);
+  const bool replaces =
+      under_way_ && written_ <= 1 && !was_replaced_ && is_of_same_state(*under_way_, state);
+  if (replaces) end_current();
+  was_replaced_ = was_replaced_ || replaces;
+  return waiting_.put(std::move(state)) || replaces;
+}
+
+bool LongStates::drop(const wire::Sample& newer) {
+  told_.drop(newer);
+  if (under_way_ && is_of_same_state(*under_way_, newer)) end_current();
+  return waiting_.drop(newer);
+}
+
+void LongStates::end_current() {
+  under_way_.reset();
+  parts_.give_up(parts_.next_number() - 1);
+}
+
+void LongStates::drop_from(std::uint32_t origin) {
+  if (under_way_ && is_from(*under_way_, origin)) end_current();
+  for (WaitingValues* values : {&told_, &waiting_})
+    for (wire::Sample& state : values->take(wire::SlotClass::kState))
+      if (!is_from(state, origin)) values->put(std::move(state));
+}
+
+std::vector<wire::Sample> LongStates::let_go() {
+  std::vector<wire::Sample> states = told_.take(wire::SlotClass::kState);
+  if (under_way_) {
+    states.push_back(std::move(*under_way_));
+    end_current();
+  }
+  std::ranges::move(waiting_.take(wire::SlotClass::kState), std::back_inserter(states));
+  return states;
+}
+
+void LongStates::begin_again() {
+  for (wire::Sample& state : told_.take(wire::SlotClass::kState)) {
+    const bool is_older = under_way_ && is_of_same_state(*under_way_, state);
+    if (!is_older && !waiting_.has(state)) waiting_.put(std::move(state));
+  }
+  parts_.resend();
+}
+
+void LongStates::heard(std::uint64_t number, std::uint32_t bytes) {
+  parts_.heard(number, bytes);
+  if (!under_way_ || !parts_.empty()) return;
+  if (!waiting_.has(*under_way_)) told_.put(std::move(*under_way_));
+  under_way_.reset();
+  was_replaced_ = false;
+}
+
+std::vector<std::pair<wire::Slot, std::size_t>> LongStates::due(Duration now,
+                                                                std::uint32_t most_bytes,
+                                                                Duration round_trip) const {
+  std::vector<std::pair<wire::Slot, std::size_t>> all;
+  if (under_way_) {
+    if (const auto part = parts_.next(now, most_bytes, round_trip))
+      all.emplace_back(wire::slot_of(*under_way_), part->content.size());
+    return all;
+  }
+  for (std::size_t i = 0; i < wire::kSlotCount; ++i) {
+    const wire::Sample* first = waiting_.first(static_cast<wire::Slot>(i));
+    if (first == nullptr) continue;
+    all.emplace_back(static_cast<wire::Slot>(i),
+                     std::min<std::size_t>(most_bytes, encoded_size(*first)));
+  }
+  return all;
+}
+
+wire::Part LongStates::take(wire::Slot slot, std::uint32_t most_bytes, Duration now,
+                            Duration round_trip, Duration until) {
+  if (!under_way_) {
+    under_way_ = *waiting_.first(slot);
+    waiting_.drop_first(slot);
+    parts_.hold(*under_way_, 0);
+    written_ = 0;
+  }
+  ++written_;
+  const auto part = parts_.next(now, most_bytes, round_trip);
+  SKEIN_EXPECTS(part.has_value());
+  parts_.written(*part, until);
+  return *part;
+}
+
+std::optional<Duration> LongStates::next_due(std::uint32_t most_bytes, Duration round_trip) const {
+  if (under_way_) return parts_.next_due(most_bytes, round_trip);
+  if (waiting_.empty()) return std::nullopt;
+  return Duration{};
+}
+
+}  // namespace skein::blackboard
