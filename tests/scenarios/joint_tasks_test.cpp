@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(AreaSharing, Teamwork,
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Degree5, Teamwork,
                          ::testing::Values("team/two", "team/five", "team/comets", "team/mixed",
-                                           "team/out-of-reach", "team/wall"),
+                                           "team/out-of-reach", "team/wall", "team/delays"),
                          name_of);
 
 // Nobody has the energy for its mission, so nobody goes.

@@ -123,6 +123,12 @@ std::vector<a::Precedence> from_wire(const std::vector<wire::TeamPrecedence>& pr
   return result;
 }
 
+// What is sold says itself how long after others it begins.
+void take_delay(a::Precedence& precedence, const a::Task& then) {
+  const team::Order* order = team::order_of(then);
+  if (order != nullptr) precedence.delay = team::delay_after(precedence.first, order->task);
+}
+
 Read<a::Lot> lot_of(const std::vector<wire::TeamTask>& tasks,
                     const std::vector<wire::TeamPrecedence>& precedences) {
   a::Lot lot;
@@ -135,6 +141,9 @@ Read<a::Lot> lot_of(const std::vector<wire::TeamTask>& tasks,
     lot.tasks.push_back(std::move(*task));
   }
   lot.precedences = from_wire(precedences);
+  for (a::Precedence& one : lot.precedences)
+    for (const a::Task& task : lot.tasks)
+      if (task.number == one.then) take_delay(one, task);
   return lot;
 }
 
@@ -183,6 +192,10 @@ Read<std::shared_ptr<const a::Ledger>> ledger_of(const wire::TeamLedger& sample)
     }
   }
   ledger->precedences = from_wire(sample.precedences);
+  for (a::Precedence& one : ledger->precedences) {
+    const auto then = ledger->entries.find(one.then);
+    if (then != ledger->entries.end()) take_delay(one, then->second.task);
+  }
   for (const wire::TeamRoute& route : sample.routes) {
     ledger->routes[MemberNumber(route.member)] = list_of<TaskNumber>(route.tasks);
   }

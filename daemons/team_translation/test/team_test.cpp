@@ -104,6 +104,26 @@ TEST(Team, ALedgerCrossesTheWireWithTheWorkOfItsTasks) {
   EXPECT_EQ(read.why, said.why);
 }
 
+// What is to be done says itself how long after others it begins.
+TEST(Team, DelaysCrossTheWireInALedgerAndInAMission) {
+  Task then = task(12);
+  mission::HighLevelTask order = team::order_of(then)->task;
+  order.after = {{mission::GoalId(11), false, Duration::seconds(60), Duration::seconds(300)}};
+  then.work = std::make_shared<const team::Order>(order, "operator");
+  const Precedence delayed{TaskNumber(11), TaskNumber(12),
+                           team::delay_after(TaskNumber(11), order)};
+  ASSERT_TRUE(delayed.delay.bounds_above());
+  Ledger book = *ledger();
+  book.entries[TaskNumber(12)].task = then;
+  book.precedences = {delayed};
+  Status status;
+  status.missions = {{MissionNumber(8), {{task(11), then}, {delayed}}}};
+
+  EXPECT_EQ(crossed(Beat{3, 7, std::make_shared<const Ledger>(book)}).ledger->precedences,
+            book.precedences);
+  EXPECT_EQ(crossed(status).missions.at(0).lot.precedences, book.precedences);
+}
+
 TEST(Team, ABeatToOneThatHasTheLedgerIsWithoutIt) {
   EXPECT_EQ(crossed(Beat{3, 7, nullptr}).ledger, nullptr);
 }

@@ -27,7 +27,8 @@ void Chains::forward() {
   for (std::size_t done = 0; done < order_.size(); ++done) {
     const std::uint32_t task = order_[done];
     for (const std::uint32_t after : catalogue_->after(task)) {
-      const double end = end_[task] + catalogue_->task(after).duration;
+      const double begin = end_[task] + catalogue_->delay(task, after).least;
+      const double end = begin + catalogue_->task(after).duration;
       if (end > end_[after]) {
         end_[after] = end;
         cause_[after] = static_cast<std::int64_t>(task);
@@ -41,7 +42,8 @@ void Chains::backward() {
   for (auto task = order_.rbegin(); task != order_.rend(); ++task) {
     for (const std::uint32_t after : catalogue_->after(*task)) {
       if (stuck(after)) continue;
-      latest_[*task] = std::min(latest_[*task], latest_[after] - catalogue_->task(after).duration);
+      const double begin = latest_[after] - catalogue_->task(after).duration;
+      latest_[*task] = std::min(latest_[*task], begin - catalogue_->delay(*task, after).least);
     }
   }
 }

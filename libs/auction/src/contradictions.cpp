@@ -5,6 +5,7 @@
 #include "chains.hpp"
 #include "skein/auction/task.hpp"
 #include "skein/foundation/time.hpp"
+#include "start_bounds.hpp"
 
 namespace skein::auction {
 
@@ -28,7 +29,10 @@ std::string links_of(const Catalogue& catalogue, const std::vector<std::uint32_t
                       " at the earliest and lasts " + seconds(first.duration);
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const Task& next = catalogue.task(chain[i]);
-    links += ", then " + to_text(next.number) + " lasts " + seconds(next.duration);
+    const double least = catalogue.delay(chain[i - 1], chain[i]).least;
+    links += ", then " + to_text(next.number);
+    if (least > 0) links += " begins " + seconds(least) + " later and";
+    links += " lasts " + seconds(next.duration);
   }
   return links;
 }
@@ -57,7 +61,7 @@ void add_mistakes(const Lot& lot, Found& found) {
       found.push_back({{task.number}, "is pinned to a member that is forbidden to do it"});
     }
   }
-  for (const auto& [first, then] : lot.precedences) {
+  for (const auto& [first, then, delay] : lot.precedences) {
     for (const TaskNumber task : {first, then}) {
       if (times.contains(task)) continue;
       found.push_back({{first, then}, "task " + to_text(task) + " is not among those to be sold"});
@@ -74,6 +78,8 @@ std::vector<Contradiction> contradictions(const Lot& lot) {
   const Chains chains(catalogue);
   add_late(catalogue, chains, found);
   add_circle(catalogue, chains, found);
+  if (!found.empty()) return found;
+  if (const auto tight = tight_circle(catalogue)) found.push_back(*tight);
   return found;
 }
 

@@ -28,17 +28,18 @@ std::uint32_t Draft::node_of(TaskNumber task) {
 
 // Precedences to and from the tasks that are here already.
 void Draft::link(std::uint32_t node) {
+  const auto join = [&](std::uint32_t first, std::uint32_t then) {
+    const Delay delay = catalogue_->delay(nodes_[first].task, nodes_[then].task);
+    nodes_[first].after.push_back({then, delay});
+    nodes_[then].before.push_back({first, delay});
+  };
   for (const std::uint32_t before : catalogue_->before(nodes_[node].task)) {
-    if (const std::int32_t other = node_of_task_[before]; other >= 0) {
-      nodes_[node].before.push_back(static_cast<std::uint32_t>(other));
-      nodes_[static_cast<std::size_t>(other)].after.push_back(node);
-    }
+    if (const std::int32_t other = node_of_task_[before]; other >= 0)
+      join(static_cast<std::uint32_t>(other), node);
   }
   for (const std::uint32_t after : catalogue_->after(nodes_[node].task)) {
-    if (const std::int32_t other = node_of_task_[after]; other >= 0) {
-      nodes_[node].after.push_back(static_cast<std::uint32_t>(other));
-      nodes_[static_cast<std::size_t>(other)].before.push_back(node);
-    }
+    if (const std::int32_t other = node_of_task_[after]; other >= 0)
+      join(node, static_cast<std::uint32_t>(other));
   }
 }
 
@@ -82,7 +83,53 @@ bool Draft::restore() {
   return schedule();
 }
 
-bool Draft::schedule() { return forward() && backward(); }
+// Each pass puts something off for what may not come long after it. Where that moves in a circle it
+// does not end: a longest path passes each such delay once.
+bool Draft::schedule() {
+  std::size_t passes = 1;
+  for (Node& node : nodes_) {
+    node.put_off = 0;
+    for (const Arc& arc : node.before) passes += arc.delay.bounds_above() ? 1 : 0;
+  }
+  for (; forward(); --passes) {
+    if (!put_off()) return backward();
+    if (passes == 0) return false;
+  }
+  return false;
+}
+
+bool Draft::put_off() {
+  bool moved = false;
+  for (const std::uint32_t then : order_) {
+    for (const Arc& arc : nodes_[then].before) {
+      Node& first = nodes_[arc.node];
+      const double sooner = nodes_[then].start - arc.delay.most - task_of(first).duration;
+      if (!first.placed || first.start >= sooner) continue;
+      first.put_off = sooner;
+      moved = true;
+    }
+  }
+  return moved;
+}
+
+// The way to what keeps a delay is flown when the first has ended.
+double Draft::begins_after(const Arc& before, double way) const {
+  const Node& first = nodes_[before.node];
+  const double end = first.start + task_of(first).duration;
+  return before.delay.bounds() ? end + before.delay.least + way : end;
+}
+
+// The longest to be flown to it, with an item in the gaps of the group.
+double Draft::way_to(std::uint32_t node, std::span<const Gap> group) const {
+  double way = 0;
+  for (const auto& [r, p] : nodes_[node].spots) {
+    const auto before = std::find_if(group.begin(), group.end(), [r = r, p = p](const Gap& gap) {
+      return gap.spot.route == r && gap.spot.position == p;
+    });
+    way = std::max(way, before == group.end() ? routes_[r].stops[p].leg.seconds : before->out);
+  }
+  return way;
+}
 
 // Earliest dates, from what waits for nothing on (Kahn's order).
 bool Draft::forward() {
@@ -102,14 +149,14 @@ bool Draft::forward() {
   order_.clear();
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
     if (!nodes_[n].placed) continue;
-    for (const std::uint32_t b : nodes_[n].before) nodes_[n].waiting += nodes_[b].placed ? 1 : 0;
+    for (const Arc& b : nodes_[n].before) nodes_[n].waiting += nodes_[b.node].placed ? 1 : 0;
     if (nodes_[n].waiting == 0) order_.push_back(n);
   }
   for (std::size_t done = 0; done < order_.size(); ++done) {
     Node& node = nodes_[order_[done]];
     const Task& task = task_of(node);
     node.rank = static_cast<std::uint32_t>(done);
-    node.start = task.earliest;
+    node.start = std::max(task.earliest, node.put_off);
     const auto end_of = [&](std::uint32_t n) {
       return nodes_[n].start + task_of(nodes_[n]).duration;
     };
@@ -121,11 +168,12 @@ bool Draft::forward() {
         order_.push_back(stops[p + 1].node);
       }
     }
-    for (const std::uint32_t b : node.before) {
-      if (nodes_[b].placed) node.start = std::max(node.start, end_of(b));
+    const double way = way_to(order_[done]);
+    for (const Arc& b : node.before) {
+      if (nodes_[b.node].placed) node.start = std::max(node.start, begins_after(b, way));
     }
-    for (const std::uint32_t a : node.after) {
-      if (nodes_[a].placed && --nodes_[a].waiting == 0) order_.push_back(a);
+    for (const Arc& a : node.after) {
+      if (nodes_[a.node].placed && --nodes_[a.node].waiting == 0) order_.push_back(a.node);
     }
     if (node.start + task.duration > task.deadline) return false;
   }
@@ -150,10 +198,12 @@ bool Draft::backward() {
       node.tail = std::max(node.tail, way + task_of(next).duration + next.tail);
       node.latest = std::min(node.latest, next.latest - way - duration);
     }
-    for (const std::uint32_t a : node.after) {
-      if (!nodes_[a].placed) continue;
-      node.tail = std::max(node.tail, task_of(nodes_[a]).duration + nodes_[a].tail);
-      node.latest = std::min(node.latest, nodes_[a].latest - duration);
+    for (const Arc& arc : node.after) {
+      const Node& next = nodes_[arc.node];
+      if (!next.placed) continue;
+      const double apart = arc.delay.bounds() ? arc.delay.least + way_to(arc.node) : 0;
+      node.tail = std::max(node.tail, apart + task_of(next).duration + next.tail);
+      node.latest = std::min(node.latest, next.latest - apart - duration);
     }
   }
   unsold_ = rest_.unsold;

@@ -37,8 +37,9 @@ struct Placing {
 
 /// The working state of winner determination. A placing is evaluated without inserting it, from the
 /// longest paths to and from the item (head and tail, as in job-shop scheduling); this is exact,
-/// since an insertion never shortens another path. Cost: schedule() is linear in tasks; placings()
-/// is linear in gaps, times the number of groups for a joint task.
+/// since an insertion never shortens another path, but for delays, whose way is flown after the
+/// first has ended: there it is an estimate. Cost: schedule() is linear in tasks, times delays with
+/// a greatest; placings() is linear in gaps, times the number of groups for a joint task.
 class Draft {
  public:
   /// `catalogue` outlives the draft.
@@ -98,18 +99,25 @@ class Draft {
     std::vector<double> item_energy;
     std::vector<bool> willing;
   };
+  struct Arc {
+    std::uint32_t node;
+    Delay delay;
+  };
   struct Node {
     std::uint32_t task = 0;
     bool placed = false;
     double start = 0, tail = 0, latest = 0;
+    double put_off = 0;  ///< begins no sooner, or another would come too late after it [s]
     std::uint32_t rank = 0, waiting = 0;
     std::vector<Placing::Spot> spots;
-    std::vector<std::uint32_t> before, after;
+    std::vector<Arc> before, after;
   };
   // One position in one route at which an item could be inserted.
   struct Gap {
     Placing::Spot spot;
     double arrival = 0;  ///< [s]
+    double in = 0;       ///< the way to the item [s]
+    double out = 0;      ///< the way from it [s]
     double rest = 0;     ///< longest time from the end of the item to the end of its successors [s]
     double by = 0;       ///< latest end of the item [s]
     double cost = 0;     ///< of the detour
@@ -124,6 +132,9 @@ class Draft {
   };
   std::uint32_t node_of(TaskNumber task);
   void link(std::uint32_t node);
+  double begins_after(const Arc& before, double way) const;
+  double way_to(std::uint32_t node, std::span<const Gap> group = {}) const;
+  bool put_off();
   Leg way_in(const Route& route, std::uint32_t item, std::size_t position) const;
   Leg way_out(const Route& route, std::uint32_t item, std::size_t position) const;
   std::vector<Gap> gaps(std::uint32_t item, std::uint32_t route) const;

@@ -64,8 +64,8 @@ std::vector<Draft::Gap> Draft::gaps(std::uint32_t item, std::uint32_t r) const {
     const Leg old = leg_at(route, p);
     const double taken = route.item_energy[item] + in.energy + out.energy - old.energy;
     if (route.spent + taken > route.energy) continue;
-    Gap gap{
-        {r, p}, route.free_from + in.seconds, out.seconds, kNever, in.cost + out.cost - old.cost};
+    Gap gap{{r, p}, route.free_from + in.seconds, in.seconds, out.seconds, out.seconds,
+            kNever, in.cost + out.cost - old.cost};
     if (p > 0) {
       const Node& before = nodes_[route.stops[p - 1].node];
       gap.arrival = before.start + task_of(before).duration + in.seconds;
@@ -84,20 +84,27 @@ std::vector<Draft::Gap> Draft::gaps(std::uint32_t item, std::uint32_t r) const {
 std::optional<Value> Draft::judge(std::uint32_t item, std::span<const Gap> group) const {
   const Node& node = nodes_[item];
   const Task& task = task_of(node);
-  double start = task.earliest, rest = 0, by = task.deadline, cost = cost_;
+  double start = task.earliest, rest = 0, by = task.deadline, cost = cost_, way = 0;
   for (const Gap& gap : group) {
+    way = std::max(way, gap.in);
     start = std::max(start, gap.arrival);
     rest = std::max(rest, gap.rest);
     by = std::min(by, gap.by);
     cost += gap.cost;
   }
-  for (const std::uint32_t b : node.before) {
-    if (nodes_[b].placed) start = std::max(start, nodes_[b].start + task_of(nodes_[b]).duration);
+  for (const Arc& b : node.before) {
+    const Node& first = nodes_[b.node];
+    if (!first.placed) continue;
+    start = std::max(start, begins_after(b, way));
+    by = std::min(by, first.latest + task_of(first).duration + b.delay.most + task.duration);
   }
-  for (const std::uint32_t a : node.after) {
-    if (!nodes_[a].placed) continue;
-    rest = std::max(rest, task_of(nodes_[a]).duration + nodes_[a].tail);
-    by = std::min(by, nodes_[a].latest);
+  for (const Arc& a : node.after) {
+    const Node& next = nodes_[a.node];
+    if (!next.placed) continue;
+    const double apart = a.delay.bounds() ? a.delay.least + way_to(a.node, group) : 0;
+    start = std::max(start, next.start - a.delay.most - task.duration);
+    rest = std::max(rest, apart + task_of(next).duration + next.tail);
+    by = std::min(by, next.latest - apart);
   }
   const double end = start + task.duration;
   if (end > by || (catalogue_->coupled() && circular(item, group))) return std::nullopt;
@@ -125,11 +132,11 @@ bool Draft::circular(std::uint32_t item, std::span<const Gap> group) const {
     if (gap.spot.position > 0) before.push_back(stops[gap.spot.position - 1].node);
     if (gap.spot.position < stops.size()) open.push_back(stops[gap.spot.position].node);
   }
-  for (const std::uint32_t b : nodes_[item].before) {
-    if (nodes_[b].placed) before.push_back(b);
+  for (const Arc& b : nodes_[item].before) {
+    if (nodes_[b.node].placed) before.push_back(b.node);
   }
-  for (const std::uint32_t a : nodes_[item].after) {
-    if (nodes_[a].placed) open.push_back(a);
+  for (const Arc& a : nodes_[item].after) {
+    if (nodes_[a.node].placed) open.push_back(a.node);
   }
   std::uint32_t last = 0;
   for (const std::uint32_t b : before) last = std::max(last, nodes_[b].rank);
@@ -143,8 +150,8 @@ bool Draft::circular(std::uint32_t item, std::span<const Gap> group) const {
     for (const auto& [r, p] : nodes_[n].spots) {
       if (p + 1 < routes_[r].stops.size()) open.push_back(routes_[r].stops[p + 1].node);
     }
-    for (const std::uint32_t a : nodes_[n].after) {
-      if (nodes_[a].placed) open.push_back(a);
+    for (const Arc& a : nodes_[n].after) {
+      if (nodes_[a.node].placed) open.push_back(a.node);
     }
   }
   return false;

@@ -97,6 +97,18 @@ void TeamMember::Core::admit(const GivenMission& mission) {
   }
   next.precedences.insert(next.precedences.end(), mission.lot.precedences.begin(),
                           mission.lot.precedences.end());
+  for (const Precedence& one : mission.lot.precedences)
+    if (ledger().entries.contains(one.first)) bound_followers(one.first);
+}
+
+// When it ended says when they may begin.
+void TeamMember::Core::bound_followers(TaskNumber done) {
+  if (ledger().entries.at(done).stage != Stage::kDone) return;
+  const std::vector<Precedence> precedences = ledger().precedences;
+  for (const auto& [first, then, delay] : precedences) {
+    if (first != done || !delay.bounds() || !ledger().entries.contains(then)) continue;
+    bound_start(change(then).task, delay, ends_.of(done, now_));
+  }
 }
 
 void TeamMember::Core::end_claims(MemberNumber member, const Status& status) {
@@ -112,6 +124,9 @@ void TeamMember::Core::end_claims(MemberNumber member, const Status& status) {
     LedgerEntry& changed = change(claim.task);
     (changed.*where).insert(member);
     settle(changed, why);
+    if (changed.stage != Stage::kDone) return;
+    ends_.settled(claim.task, now_);
+    bound_followers(claim.task);
   };
   for (const Claim& claim : status.done) end(claim, &LedgerEntry::finished, "");
   for (std::size_t i = 0; i < status.stopped.size(); ++i) {
@@ -150,21 +165,31 @@ bool TeamMember::Core::may_begin(const LedgerEntry& entry) const {
 // To nobody more than it may have ahead: two that wait for each other in their routes get one after
 // the other.
 void TeamMember::Core::grant() {
-  std::map<MemberNumber, std::uint32_t> has;
-  for (const auto& [task, entry] : ledger().entries) {
-    if (entry.stage != Stage::kGranted) continue;
-    for (const MemberNumber owner : entry.owners)
-      has[owner] += entry.finished.contains(owner) ? 0 : 1;
-  }
+  Load has = granted_load(ledger(), setup_.limits.ahead);
   std::vector<TaskNumber> granted;
   for (const auto& [task, entry] : ledger().entries) {
     const auto full = [&](MemberNumber owner) { return has[owner] >= setup_.limits.ahead; };
     if (entry.stage != Stage::kOwned || !entry.stopped.empty() || !may_begin(entry)) continue;
     if (std::any_of(entry.owners.begin(), entry.owners.end(), full)) continue;
-    for (const MemberNumber owner : entry.owners) ++has[owner];
+    if (!is_time_for(entry, has)) continue;
+    add_grant(has, ledger(), entry, setup_.limits.ahead);
     granted.push_back(task);
   }
   for (const TaskNumber task : granted) change(task).stage = Stage::kGranted;
+}
+
+// Who is to follow it in time is free. Routes that wait for each other do not count for longer than
+// a lease.
+bool TeamMember::Core::is_time_for(const LedgerEntry& entry, const Load& load) {
+  const TaskNumber task = entry.task.number;
+  const bool waited = kept_back_.contains(task) && now_ - kept_back_.at(task) > setup_.limits.lease;
+  const bool is_time = may_be_followed(ledger(), entry, load, !waited);
+  if (is_time) {
+    kept_back_.erase(task);
+  } else {
+    kept_back_.emplace(task, now_);
+  }
+  return is_time;
 }
 
 // What silent members were not granted; what they were, if it may be done twice or they are lost.

@@ -14,6 +14,7 @@
 #include "skein/auction/team_member.hpp"
 #include "skein/foundation/random.hpp"
 #include "skein/foundation/repeats.hpp"
+#include "task_ends.hpp"
 
 namespace skein::auction {
 
@@ -56,6 +57,7 @@ class TeamMember::Core {
   // token.cpp
   void on(const Beat& beat, MemberNumber from);
   void on(const Status& status, MemberNumber from);
+  void note_sent(const Heard& heard);
   void on(const VoteRequest& request, MemberNumber from);
   void on(const Vote& vote, MemberNumber from);
   void on(const NewerTerm& newer, MemberNumber from);
@@ -77,7 +79,9 @@ class TeamMember::Core {
   void admit(const GivenMission& mission);
   void end_claims(MemberNumber member, const Status& status);
   void settle(LedgerEntry& entry, const std::string& why);
+  void bound_followers(TaskNumber done);
   void grant();
+  bool is_time_for(const LedgerEntry& entry, const Load& load);
   bool may_begin(const LedgerEntry& entry) const;
   void resell();
   LedgerEntry& change(TaskNumber task);
@@ -127,6 +131,8 @@ class TeamMember::Core {
   std::optional<std::pair<MemberNumber, ToMember>> kept_call_;  ///< of another, without a craft yet
   std::deque<ToMember> own_calls_;                    ///< from the own auctioneer to this member
   std::map<MemberNumber, std::vector<Claim>> wants_;  ///< last claims of each member
+  TaskEnds ends_;
+  std::map<TaskNumber, MissionTime> kept_back_;  ///< since when, for who is to follow them in time
   std::set<MemberNumber> declared_lost_;
   bool stored_ = false, started_ = false, bids_ = true;
   TeamEffects effects_;

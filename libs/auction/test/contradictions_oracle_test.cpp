@@ -37,7 +37,8 @@ bool has(const Lot& lot, TaskNumber first, TaskNumber then) {
 // Whom each must wait for, by repeated union (Warshall).
 std::vector<std::vector<bool>> waits_for(const Lot& lot) {
   std::vector<std::vector<bool>> waits(kCount, std::vector<bool>(kCount));
-  for (const auto& [first, then] : lot.precedences) waits[then.value()][first.value()] = true;
+  for (const auto& [first, then, delay] : lot.precedences)
+    waits[then.value()][first.value()] = true;
   for (std::uint32_t via = 0; via < kCount; ++via) {
     for (std::uint32_t a = 0; a < kCount; ++a) {
       for (std::uint32_t b = 0; b < kCount; ++b) {
@@ -73,7 +74,7 @@ RC_GTEST_PROP(ContradictionsOracle, ACircleIsNamedIfThereIsOneAndItIsOne, (std::
 double longest(const Lot& lot, std::uint32_t task) {
   const Task& own = lot.tasks[task];
   double end = own.earliest + own.duration;
-  for (const auto& [first, then] : lot.precedences) {
+  for (const auto& [first, then, delay] : lot.precedences) {
     if (then.value() == task) end = std::max(end, longest(lot, first.value()) + own.duration);
   }
   return end;

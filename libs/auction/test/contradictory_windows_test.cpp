@@ -57,12 +57,14 @@ class Dates {
       bound(i + 1, 0, -lot.tasks[i].earliest);
       bound(0, i + 1, lot.tasks[i].deadline - lot.tasks[i].duration);
     }
-    for (const auto& [first, then] : lot.precedences) add(lot, first, then);
+    for (const Precedence& one : lot.precedences) add(lot, one);
   }
-  void add(const Lot& lot, TaskNumber first, TaskNumber then) {
-    const std::size_t before = number_.at(first);
-    bound(number_.at(then), before, -lot.tasks[before - 1].duration);
-    circular_ = circular_ || first == then;
+  void add(const Lot& lot, const Precedence& one) {
+    const std::size_t before = number_.at(one.first), after = number_.at(one.then);
+    const double lasts = lot.tasks[before - 1].duration;
+    bound(after, before, -lasts - one.delay.least);
+    bound(before, after, lasts + one.delay.most);
+    circular_ = circular_ || one.first == one.then;
   }
   /// Tasks that take no time and wait for each other are in no order, though they have a date.
   bool exist() {
@@ -124,6 +126,48 @@ RC_GTEST_PROP(ContradictoryWindows, AreNamedIfAndOnlyIfTheTasksCannotBeDated,
   const bool named = std::any_of(found.begin(), found.end(), is_of_time);
 
   RC_ASSERT(named == !can_be_dated(lot));
+}
+
+/// Half of the precedences with bounds, in whole seconds.
+Lot delayed(std::uint64_t seed) {
+  Lot lot = crowded(seed);
+  for (Task& task : lot.tasks) task.duration += 1;
+  Random random(seed, "delays");
+  for (Precedence& one : lot.precedences) {
+    if (random.chance(0.3)) continue;
+    one.delay.least = whole(random, 30);
+    if (random.chance(0.7)) one.delay.most = one.delay.least + whole(random, 40);
+  }
+  return lot;
+}
+
+RC_GTEST_PROP(ContradictoryWindows, WithDelaysTooTheyAreNamedIfAndOnlyIfTheTasksCannotBeDated,
+              (std::uint64_t seed)) {
+  const Lot lot = delayed(seed);
+  const auto found = contradictions(lot);
+
+  RC_ASSERT(std::any_of(found.begin(), found.end(), is_of_time) == !can_be_dated(lot));
+  for (const Contradiction& one : found)
+    for (const TaskNumber task : one.chain)
+      RC_ASSERT(one.chain.size() == 1 || one.why.find(to_text(task)) != std::string::npos ||
+                one.why == "each is to end before the next begins");
+}
+
+TEST(ContradictoryWindows, ACircleThroughAGreatestDelayIsSaidBoundByBound) {
+  const auto found = contradictions({{a_task(11).lasting(20), a_task(12).lasting(30), a_task(13)},
+                                     {{TaskNumber(11), TaskNumber(12), {60, 300}},
+                                      {TaskNumber(12), TaskNumber(13)},
+                                      {TaskNumber(11), TaskNumber(13), {0, 80}}}});
+
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_THAT(found[0].chain,
+              ::testing::ElementsAre(TaskNumber(11), TaskNumber(12), TaskNumber(13)));
+  EXPECT_THAT(
+      found[0].why,
+      ::testing::AllOf(
+          ::testing::HasSubstr("12 begins 60 s or more after the end of 11, which lasts"),
+          ::testing::HasSubstr("13 begins after the end of 12, which lasts 30 s"),
+          ::testing::HasSubstr("13 begins within 80 s of the end of 11, which lasts 20 s")));
 }
 
 /// The chain alone: its precedences, when its first may begin, and when its last must have ended.

@@ -29,6 +29,19 @@ Lot random_lot(Random& random) {
   return lot;
 }
 
+Lot delayed_lot(Random& random) {
+  Lot lot = random_lot(random);
+  for (std::uint32_t then = 1; then < lot.tasks.size(); ++then) {
+    if (random.chance(0.4)) continue;
+    const auto first = static_cast<std::uint32_t>(random.below(then));
+    const double least = random.chance(0.5) ? random.uniform(0, 60) : 0;
+    Delay delay{least, least + random.uniform(10, 200)};
+    if (random.chance(0.3)) delay.most = Delay().most;
+    lot.precedences.push_back({TaskNumber(first), TaskNumber(then), delay});
+  }
+  return lot;
+}
+
 Judged found_by(const Draft& draft, std::uint32_t item) {
   Judged found;
   for (const Placing& placing : draft.placings(item, 100)) {
@@ -83,8 +96,7 @@ RC_GTEST_PROP(DraftOracle, FindsThemWhereWhatComesAfterHasLittleTime, (std::uint
   expect_the_best_of_every_group(OpenDraft(seed, tight_lot));
 }
 
-RC_GTEST_PROP(DraftOracle, ItsDatesAndItsValueAreThoseOfARouteWalked, (std::uint64_t seed)) {
-  OpenDraft world(seed, random_lot);
+void expect_what_a_walk_comes_to(OpenDraft world) {
   Draft draft = world.draft();
   if (!draft.restore()) return;
   for (std::uint32_t item = 0; item < draft.item_count(); ++item) {
@@ -104,6 +116,32 @@ RC_GTEST_PROP(DraftOracle, ItsDatesAndItsValueAreThoseOfARouteWalked, (std::uint
     for (const TaskNumber task : route) {
       RC_ASSERT(std::abs(draft.start(task) - walked.start(task)) < 1e-9);
     }
+  }
+}
+
+RC_GTEST_PROP(DraftOracle, ItsDatesAndItsValueAreThoseOfARouteWalked, (std::uint64_t seed)) {
+  expect_what_a_walk_comes_to(OpenDraft(seed, random_lot));
+}
+
+RC_GTEST_PROP(DraftOracle, WithDelaysTooItsDatesAreThoseOfARouteWalked, (std::uint64_t seed)) {
+  expect_what_a_walk_comes_to(OpenDraft(seed, delayed_lot));
+}
+
+RC_GTEST_PROP(DraftOracle, WhatItPlacesKeepsEveryDelay, (std::uint64_t seed)) {
+  OpenDraft world(seed, delayed_lot);
+  Draft draft = world.draft();
+  if (!draft.restore()) return;
+  for (std::uint32_t item = 0; item < draft.item_count(); ++item) {
+    const auto placings = draft.placings(item, 100);
+    if (!placings.empty()) draft.place(placings.front());
+  }
+  std::set<TaskNumber> placed;
+  for (const auto& route : routes_of(draft)) placed.insert(route.begin(), route.end());
+  for (const Precedence& one : world.team.catalogue->lot().precedences) {
+    if (!placed.contains(one.first) || !placed.contains(one.then)) continue;
+    const double end = draft.start(one.first) + world.team.catalogue->task(one.first).duration;
+    RC_ASSERT(draft.start(one.then) >= end + one.delay.least - 1e-9);
+    RC_ASSERT(draft.start(one.then) <= end + one.delay.most + 1e-9);
   }
 }
 

@@ -72,6 +72,35 @@ TEST_F(LedgerKeepingTest, ATaskIsGrantedToTheOwnerThatWantsIt) {
   EXPECT_EQ(stage(5), Stage::kGranted);
 }
 
+// 6 is to begin 10 to 60 s after 5 ends.
+TEST_F(LedgerKeepingTest, WhatIsToFollowADelayHasTheWindowThatTheEndLeaves) {
+  holds(a_ledger()
+            .has(a_task(5).lasting(20), Stage::kGranted, {1})
+            .has(a_task(6).lasting(15), Stage::kOwned, {2})
+            .delay(5, 6, {10, 60}));
+
+  holder->handle(Heard{MemberNumber(1), wants({}), at(5.5)}, at(5.7));
+  EXPECT_EQ(entry(6).task.earliest, 0);
+  holder->handle(Heard{MemberNumber(1), done({claim_to(5)}), at(6.5)}, at(6.8));
+
+  EXPECT_EQ(stage(5), Stage::kDone);
+  EXPECT_NEAR(entry(6).task.earliest, 16.8, 1e-9) << "it was done when that was heard";
+  EXPECT_NEAR(entry(6).task.deadline, 80.5, 1e-9) << "it was not when something else was";
+}
+
+TEST_F(LedgerKeepingTest, WhatIsFollowedWithinADelayIsGrantedOnceWhoFollowsIsFree) {
+  holds(a_ledger()
+            .has(a_task(5), Stage::kOwned, {1})
+            .has(a_task(7), Stage::kGranted, {2})
+            .has(a_task(6), Stage::kOwned, {2})
+            .delay(5, 6, {10, 60}));
+
+  says(1, wants({claim_to(5)}));
+  EXPECT_EQ(stage(5), Stage::kOwned);
+  says(2, done({claim_to(7)}));
+  EXPECT_EQ(stage(5), Stage::kGranted);
+}
+
 TEST_F(LedgerKeepingTest, AClaimUnderAnEarlierSaleIsNotGranted) {
   holds(a_ledger().has(a_task(5), Stage::kOwned, {1}));
 

@@ -27,6 +27,8 @@ std::vector<Law> team_laws() {
        team_tasks_without_owner},
       {"team-explained", "who has a task of the team, and why, is said", team_sales_unexplained},
       {"team-late", "who is late keeps nothing of the team that it has not begun", kept_while_late},
+      {"team-delays", "what is to begin some time after another task of the team does so",
+       team_delays_not_kept},
       {"team-home", "who is out of reach of most and has nothing to do comes home", left_aloft}};
 }
 

@@ -18,6 +18,7 @@ class TeamDrawing {
         policies_(seed, "contact-loss policies of a team"),
         delays_(seed, "delays of a team"),
         lasting_(seed, "lasting cuts of a team"),
+        bounds_(seed, "times between tasks of a team"),
         kinds_(kinds) {
     mission_.seed = seed;
   }
@@ -88,10 +89,19 @@ class TeamDrawing {
       task += "[general-gotoxyz, P" + number + "]";
     }
     if (!mission_.global.empty() && random_.chance(0.2)) {
-      task += ", after: [" + std::to_string(10 + mission_.global.size()) + "]";
+      task += ", after: [" + draw_before(std::to_string(10 + mission_.global.size())) + "]";
     }
     if (random_.chance(0.15)) task += ", by: " + any().name;
     mission_.global.push_back(task + "}");
+  }
+
+  // Half of them with bounds, wide enough for most ways. From a sequence of its own.
+  std::string draw_before(const std::string& first) {
+    if (!bounds_.chance(0.5)) return first;
+    const double least = bounds_.chance(0.7) ? std::round(bounds_.uniform(0, 60)) : 0;
+    std::string bounds = "{task: " + first + ", least: " + whole(least);
+    if (bounds_.chance(0.7)) bounds += ", most: " + whole(least + bounds_.uniform(60, 300));
+    return bounds + "}";
   }
 
   // Down, and after a while up again.
@@ -136,6 +146,7 @@ class TeamDrawing {
   Random policies_;
   Random delays_;
   Random lasting_;
+  Random bounds_;
   Kinds kinds_;
   Mission mission_;
 };

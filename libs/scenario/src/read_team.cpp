@@ -61,6 +61,22 @@ auction::Place place_of(const mission::HighLevelTask& task, const WorldSpec& wor
   return {};
 }
 
+constexpr double kLongest = 1e6;  // [s]
+
+// A number, or {task: NUMBER, least: s, most: s}.
+void read_before(const Reader& reader, team::GlobalTask& asked) {
+  if (!reader.is_map()) return void(asked.after.emplace_back(read_number(reader)));
+  if (!reader.keys({"task", "least", "most"})) return;
+  mission::GoalBound bound;
+  bound.goal = GoalId(read_number(reader.required("task")));
+  const Reader least = reader.optional("least"), most = reader.optional("most");
+  if (least.present()) bound.least = Duration::seconds(least.number(0, {0, kLongest, "s"}));
+  if (most.present()) bound.most = Duration::seconds(most.number(0, {0, kLongest, "s"}));
+  if (bound.least > bound.most) most.error("less than least", "a number from least on");
+  asked.after.push_back(bound.goal);
+  asked.task.after.push_back(bound);
+}
+
 team::GlobalTask read_team_task(const Reader& reader, std::size_t number,
                                 std::vector<ground_station::ArgumentTarget>& targets,
                                 TaskContext& context) {
@@ -80,9 +96,7 @@ team::GlobalTask read_team_task(const Reader& reader, std::size_t number,
   read_statement(reader.required("task"), asked.task, number, targets);
   asked.task.time = read_time_constraints(reader);
   asked.members = static_cast<std::uint32_t>(reader.optional("members").integer(1, 1, 100));
-  for (const Reader& before : items_of(reader.optional("after"))) {
-    asked.after.emplace_back(read_number(before));
-  }
+  for (const Reader& before : items_of(reader.optional("after"))) read_before(before, asked);
   if (const Reader by = reader.optional("by"); by.present()) {
     asked.by = by.name_among(context.names.uavs, "a UAV");
   }

@@ -8,6 +8,7 @@
 namespace skein::scenario {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using testing::errors_of;
 using ::testing::HasSubstr;
@@ -64,6 +65,40 @@ TEST(TeamScenario, AGlobalMissionHasTasksWithTheirPlacesAndTheOperatorsWishes) {
   EXPECT_TRUE(mission.tasks[1].repeatable);
   EXPECT_EQ(mission.tasks[1].at, (auction::Place{10, 20}));
   EXPECT_EQ(mission.tasks[1].task.time.end_before, MissionTime::seconds(90));
+}
+
+TEST(TeamScenario, ATaskMayBeginSomeTimeAfterAnother) {
+  const Scenario scenario = read_valid(
+      with_team("{}",
+                "{global_mission: {id: 3, tasks: [{id: 11, task: [perceive, base, 20]}, "
+                "{id: 12, task: [perceive, base, 20], after: [{task: 11, least: 60, most: 300}]}, "
+                "{id: 13, task: [perceive, base, 20], after: [11, {task: 12, most: 90.5}]}]}}"));
+
+  const auto& tasks = mission_of(scenario).mission.tasks;
+  ASSERT_THAT(tasks, SizeIs(3));
+  EXPECT_THAT(tasks[1].after, ElementsAre(mission::GoalId(11)));
+  EXPECT_THAT(tasks[1].task.after,
+              ElementsAre(mission::GoalBound{mission::GoalId(11), false, Duration::seconds(60),
+                                             Duration::seconds(300)}));
+  EXPECT_THAT(tasks[2].after, ElementsAre(mission::GoalId(11), mission::GoalId(12)));
+  EXPECT_THAT(tasks[2].task.after,
+              ElementsAre(mission::GoalBound{mission::GoalId(12), false, Duration(),
+                                             Duration::seconds(90.5)}));
+}
+
+TEST(TeamScenario, TimesAfterAnotherTaskThatMakeNoSenseAreSaidWithTheirPlace) {
+  const auto after = [](const std::string& what) {
+    return errors_of(with_team("{}",
+                               "{global_mission: {id: 3, tasks: [{id: 11, task: [perceive, base, "
+                               "20]}, {id: 12, task: [perceive, base, 20], after: [" +
+                                   what + "]}]}}"));
+  };
+  EXPECT_THAT(after("{task: 11, least: 60, most: 30}"),
+              AllOf(HasSubstr("tasks[1].after[0].most"), HasSubstr("less than least")));
+  EXPECT_THAT(after("{task: 11, least: -1}"), HasSubstr("after[0].least"));
+  EXPECT_THAT(after("{task: 11, least: soon}"), HasSubstr("after[0].least"));
+  EXPECT_THAT(after("{least: 5}"), HasSubstr("after[0]"));
+  EXPECT_THAT(after("{task: 11, mots: 5}"), HasSubstr("mots"));
 }
 
 TEST(TeamScenario, DegreeFiveIsForMembersOfATeam) {

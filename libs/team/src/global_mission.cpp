@@ -2,6 +2,7 @@
 #include "skein/team/global_mission.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "skein/mission/alarm_name.hpp"
@@ -94,13 +95,43 @@ void check_order(const GlobalMission& mission, std::vector<std::string>& problem
                                      [&](const auto& one) { return one.task.id == before; });
       if (!there) problems.push_back(about(task) + "task " + to_text(before) + " is not in it");
     }
-    if (!task.task.after.empty()) {
-      problems.push_back(about(task) + "bounds after a goal are for one UAV's mission");
+    for (const mission::GoalBound& bound : task.task.after) {
+      const bool before = std::count(task.after.begin(), task.after.end(), bound.goal) > 0;
+      if (!before || bound.on_end)
+        problems.push_back(about(task) +
+                           "of another task it may bound its beginning, after the end");
     }
   }
 }
 
 }  // namespace
+
+auction::Delay delay_after(auction::TaskNumber first, const mission::HighLevelTask& task) {
+  auction::Delay delay;
+  for (const mission::GoalBound& bound : task.after) {
+    if (number_of(bound.goal) != first) continue;
+    delay.least = std::max(delay.least, bound.least.to_seconds());
+    if (bound.most < Duration::max()) delay.most = std::min(delay.most, bound.most.to_seconds());
+  }
+  return delay;
+}
+
+mission::HighLevelTask in_time(mission::HighLevelTask task, const auction::Task& granted) {
+  if (task.after.empty()) return task;
+  const auto bounds_above = [](const mission::GoalBound& bound) {
+    return bound.most < Duration::max();
+  };
+  const bool above = std::any_of(task.after.begin(), task.after.end(), bounds_above);
+  mission::TimeConstraints& time = task.time;
+  const MissionTime from = MissionTime::seconds(granted.earliest);
+  time.start_after = std::max(time.start_after.value_or(from), from);
+  if (above && std::isfinite(granted.deadline)) {
+    const MissionTime by = MissionTime::seconds(granted.deadline - granted.duration);
+    time.start_before = std::min(time.start_before.value_or(by), by);
+  }
+  task.after.clear();
+  return task;
+}
 
 const Order* order_of(const auction::Task& task) {
   return dynamic_cast<const Order*>(task.work.get());
@@ -154,7 +185,9 @@ auction::GivenMission given(const GlobalMission& mission, const Roster& roster,
   for (const GlobalTask& task : mission.tasks) {
     result.lot.tasks.push_back(task_of(task, roster, vocabulary, mission.asked_by));
     for (const mission::GoalId before : task.after) {
-      result.lot.precedences.push_back({number_of(before), number_of(task.task.id)});
+      const auction::TaskNumber first = number_of(before);
+      result.lot.precedences.push_back(
+          {first, number_of(task.task.id), delay_after(first, task.task)});
     }
   }
   return result;

@@ -68,6 +68,60 @@ TEST(GlobalMission, IsALotOfTasksThatLastAsLongAsTheirDurationsAndKeepTheirWords
   EXPECT_EQ(order_of(auction::Task()), nullptr);
 }
 
+GlobalTask look_after(std::uint64_t id, std::uint64_t first, double least, Duration most) {
+  GlobalTask then = look(id);
+  then.after = {mission::GoalId(first)};
+  then.task.after = {{mission::GoalId(first), false, Duration::seconds(least), most}};
+  return then;
+}
+
+TEST(GlobalMission, ATimeAfterAnotherTaskIsADelayOfTheLot) {
+  const auto lot = given(mission_of({look(11), look_after(12, 11, 60, Duration::seconds(300)),
+                                     look_after(13, 12, 5, Duration::max())}),
+                         roster(), vocabulary());
+
+  ASSERT_THAT(lot.lot.precedences, SizeIs(2));
+  EXPECT_NEAR(lot.lot.precedences[0].delay.least, 60, 1e-9);
+  EXPECT_NEAR(lot.lot.precedences[0].delay.most, 300, 1e-9);
+  EXPECT_NEAR(lot.lot.precedences[1].delay.least, 5, 1e-9);
+  EXPECT_FALSE(lot.lot.precedences[1].delay.bounds_above());
+}
+
+TEST(GlobalMission, OnceItIsGrantedADelayIsATime) {
+  auction::Task granted;
+  granted.duration = 20;
+  granted.earliest = 160;
+  granted.deadline = 420;
+  GlobalTask asked = look_after(12, 11, 60, Duration::seconds(300));
+  asked.task.time.start_after = MissionTime::seconds(10);
+
+  const mission::HighLevelTask task = in_time(asked.task, granted);
+
+  EXPECT_THAT(task.after, IsEmpty());
+  EXPECT_EQ(task.time.start_after, MissionTime::seconds(160));
+  EXPECT_EQ(task.time.start_before, MissionTime::seconds(400));
+  EXPECT_EQ(in_time(look(11).task, granted), look(11).task);
+  const GlobalTask open = look_after(12, 11, 60, Duration::max());
+  EXPECT_EQ(in_time(open.task, granted).time.start_before, std::nullopt);
+}
+
+TEST(GlobalMission, ATimeIsAfterATaskThatItComesAfter) {
+  GlobalTask stray = look_after(12, 11, 60, Duration::seconds(300)), end = stray;
+  stray.after.clear();
+  end.task.after.front().on_end = true;
+  for (const GlobalTask& one : {stray, end})
+    EXPECT_THAT(problems(mission_of({look(11), one})),
+                ElementsAre(HasSubstr("of another task it may bound its beginning")));
+}
+
+TEST(GlobalMission, TimesBetweenTasksThatContradictEachOtherAreAProblem) {
+  GlobalTask last = look_after(13, 11, 0, Duration::seconds(70));
+  last.after.emplace_back(12);
+  EXPECT_THAT(
+      problems(mission_of({look(11), look_after(12, 11, 60, Duration::seconds(300)), last})),
+      ElementsAre(HasSubstr("13 begins within 70 s of the end of 11, which lasts 20 s")));
+}
+
 TEST(GlobalMission, OneThatMakesSenseHasNoProblems) {
   EXPECT_THAT(problems(mission_of({look(11), look(12)})), IsEmpty());
 }

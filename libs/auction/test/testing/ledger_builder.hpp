@@ -34,6 +34,9 @@ class LedgerBuilder {
   LedgerBuilder& order(std::uint32_t first, std::uint32_t then) {
     return ledger_.precedences.push_back({TaskNumber(first), TaskNumber(then)}), *this;
   }
+  LedgerBuilder& delay(std::uint32_t first, std::uint32_t then, Delay delay) {
+    return ledger_.precedences.push_back({TaskNumber(first), TaskNumber(then), delay}), *this;
+  }
   LedgerBuilder& stopped(std::uint32_t task, std::uint32_t by) {
     return ledger_.entries.at(TaskNumber(task)).stopped.insert(MemberNumber(by)), *this;
   }

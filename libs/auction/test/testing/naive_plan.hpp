@@ -60,6 +60,15 @@ class NaivePlan {
     start = earliest;
     return true;
   }
+  double way_to(TaskNumber task) const {
+    double longest = 0;
+    for (std::size_t r = 0; r < routes_.size(); ++r) {
+      const auto way = legs(r);
+      for (std::size_t i = 0; i < routes_[r].size(); ++i)
+        if (routes_[r][i] == task) longest = std::max(longest, way[i].seconds);
+    }
+    return longest;
+  }
   bool relax_all() {
     bool moved = false;
     for (std::size_t r = 0; r < routes_.size(); ++r) {
@@ -70,8 +79,12 @@ class NaivePlan {
         free = end_of(routes_[r][i]);
       }
     }
-    for (const auto& [first, then] : lot_->lot().precedences) {
-      if (is_planned(first) && is_planned(then)) moved |= relax(then, end_of(first));
+    for (const auto& [first, then, delay] : lot_->lot().precedences) {
+      if (!is_planned(first) || !is_planned(then)) continue;
+      const double way = delay.bounds() ? way_to(then) : 0;
+      moved |= relax(then, end_of(first) + delay.least + way);
+      if (start(then) > end_of(first) + delay.most)
+        moved |= relax(first, start(then) - delay.most - lot_->task(first).duration);
     }
     return moved;
   }
@@ -80,7 +93,7 @@ class NaivePlan {
     for (const Task& task : lot_->lot().tasks) start_.push_back(task.earliest);
     std::size_t passes = 0;
     while (relax_all()) {
-      if (++passes > 2 * lot_->size() + 2) return false;
+      if (++passes > 4 * lot_->size() * lot_->size() + 2) return false;
     }
     return std::all_of(lot_->lot().tasks.begin(), lot_->lot().tasks.end(), [&](const Task& t) {
       return !is_planned(t.number) || end_of(t.number) <= t.deadline;

@@ -72,7 +72,7 @@ void Team::start() {
 void Team::hear(const TeamTold& told) {
   if (!member_) return;
   const auto from = core_.config().team->roster.number_of(told.from);
-  if (from) give(auction::Heard{*from, told.message});
+  if (from) give(auction::Heard{*from, told.message, told.sent});
 }
 
 void Team::contact(const Contact& contact) {
@@ -283,7 +283,8 @@ void Team::begin(const auction::Claim& claim, const team::Order& order) {
     members.push_back(core_.config().team->roster.name_of(owner));
   mission::UnitMission mission;
   mission.id = next_mission();
-  mission.tasks = {team::for_members(order.task, members)};
+  const auction::Task& sold = member_->ledger().entries.at(claim.task).task;
+  mission.tasks = {team::for_members(team::in_time(order.task, sold), members)};
   mission::HighLevelTask& task = mission.tasks.front();
   task.id = mission::GoalId(claim.task.value() + attempt * kNextAttempt);
   mission.asked_by = order.asked_by + ", by the team";

@@ -51,6 +51,13 @@ class Story {
     scenario_.radio.relays.push_back(uav);
     return *this;
   }
+  /// The script gives the team a mission.
+  Story& global_mission(std::vector<team::GlobalTask> tasks) {
+    ground_station::SendGlobalMission send;
+    send.mission = {mission::MissionId(1), std::move(tasks), "step give"};
+    scenario_.ground.script.steps.push_back({"give", "", {}, {}, {std::move(send)}});
+    return *this;
+  }
   /// Of each link [bit/s].
   Story& capacity(double bits_per_second) {
     scenario_.radio.model.capacity = bits_per_second;

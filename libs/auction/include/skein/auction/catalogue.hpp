@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -25,6 +26,8 @@ class Catalogue {
   const Task& task(TaskNumber number) const { return lot_.tasks[index(number)]; }
   const std::vector<std::uint32_t>& before(std::uint32_t task) const { return before_[task]; }
   const std::vector<std::uint32_t>& after(std::uint32_t task) const { return after_[task]; }
+  /// Of that precedence; several between the same two are one.
+  Delay delay(std::uint32_t first, std::uint32_t then) const;
   /// Whether one member's schedule may shift another's dates: there are precedences or joint tasks.
   /// A task that needs several abilities counts as joint, since it may need several members.
   bool coupled() const { return coupled_; }
@@ -33,6 +36,7 @@ class Catalogue {
   Lot lot_;
   std::unordered_map<TaskNumber, std::uint32_t> index_;
   std::vector<std::vector<std::uint32_t>> before_, after_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Delay> delays_;  ///< those with bounds
   bool coupled_ = false;
 };
 

@@ -30,7 +30,9 @@ enum class Stage : std::uint8_t {
 };
 
 struct LedgerEntry {
-  Task task;  ///< times from the epoch of the mission [s]
+  /// Times from the epoch of the mission [s]. Of what follows a task that is done, by a delay with
+  /// bounds, they are those that the end of that leaves.
+  Task task;
   Stage stage = Stage::kForSale;
   std::vector<MemberNumber> owners;
   std::uint64_t sale = 0;           ///< strictly increasing; grants and reports refer to it

@@ -52,10 +52,22 @@ struct Task {
   std::shared_ptr<const Work> work{};
 };
 
-/// `first` must end before `then` begins.
+/// Bounds on the time from the end of one task to the beginning of another [s]. The way to the
+/// other is part of it.
+struct Delay {
+  double least = 0;
+  double most = std::numeric_limits<double>::infinity();
+  bool operator==(const Delay&) const = default;
+  /// Whether it says more than that the one ends before the other begins.
+  bool bounds() const { return least > 0 || bounds_above(); }
+  bool bounds_above() const { return most < std::numeric_limits<double>::infinity(); }
+};
+
+/// `first` must end before `then` begins, within the bounds of the delay.
 struct Precedence {
   TaskNumber first;
   TaskNumber then;
+  Delay delay{};
   bool operator==(const Precedence&) const = default;
 };
 
@@ -74,7 +86,9 @@ struct Contradiction {
 
 /// All errors of a lot that do not depend on the members: duplicate task numbers, precedences of
 /// unknown tasks, members both pinned and forbidden, cycles of precedences, chains that cannot end
-/// by a deadline. Empty: none. Cost: O((tasks + precedences) log).
+/// by a deadline; if there is none of these, one circle of bounds that contradict each other, if
+/// delays have a greatest. Empty: none. Cost: O((tasks + precedences) log); tasks × precedences
+/// with such delays.
 std::vector<Contradiction> contradictions(const Lot& lot);
 
 }  // namespace skein::auction

@@ -58,6 +58,7 @@ struct TeamSetup {
 struct Heard {
   MemberNumber from;
   TeamMessage message;
+  std::optional<MissionTime> sent{};  ///< by the sender's clock; none: nothing is known by it
 };
 struct MissionGiven {
   GivenMission mission;

@@ -19,11 +19,13 @@ inline constexpr std::string_view kMembers = "members";
 
 /// A high-level task to be allocated within the team.
 struct GlobalTask {
-  mission::HighLevelTask task;           ///< with an id unique among all global missions
-  std::uint32_t members = 1;             ///< more than one: a joint task, for a whole group or none
-  std::vector<mission::GoalId> after{};  ///< tasks of this mission that must be done before
-  std::optional<std::string> by{};       ///< pinned to this UAV by the operator
-  std::set<std::string> not_by{};        ///< forbidden to these UAVs by the operator
+  mission::HighLevelTask task;  ///< with an id unique among all global missions
+  std::uint32_t members = 1;    ///< more than one: a joint task, for a whole group or none
+  /// Tasks of this mission that must be done before. Bounds on the time between the end of one of
+  /// these and the beginning of each part of this one are in `task.after`.
+  std::vector<mission::GoalId> after{};
+  std::optional<std::string> by{};  ///< pinned to this UAV by the operator
+  std::set<std::string> not_by{};   ///< forbidden to these UAVs by the operator
   bool repeatable = false;  ///< may be done twice, so it is sold again when its owner is silent
   auction::Place at{};      ///< approximate place, to tell which tasks are near each other [m] ENU
 };
@@ -50,6 +52,11 @@ struct Order : auction::Work {
   mission::HighLevelTask task;
   std::string asked_by;
 };
+/// The bounds that the order of a task has on the time after the end of `first`.
+auction::Delay delay_after(auction::TaskNumber first, const mission::HighLevelTask& task);
+/// The order of a granted task with what its delays come to in mission time, which the ledger's
+/// task has, in place of the bounds after tasks of other UAVs.
+mission::HighLevelTask in_time(mission::HighLevelTask task, const auction::Task& granted);
 /// Null: the task carries no order, so no UAV of this system can do it.
 const Order* order_of(const auction::Task& task);
 
