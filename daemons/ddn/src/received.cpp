@@ -81,13 +81,6 @@ std::optional<Input> told_by(const Sender& sender, const Sample& sample) {
   return Told{sender.name, std::move(*said)};
 }
 
-std::optional<Input> told_by_team(const Sender& sender, const wire::TeamMessage& sample) {
-  auto said = from_wire(sample);
-  if (!said) return std::nullopt;
-  const MissionTime sent = MissionTime::nanoseconds(sample.header.mission_time);
-  return dn::TeamTold{sender.name, std::move(*said), sent};
-}
-
 }  // namespace
 
 std::string why_not(const wire::Sample& sample, const Sender& sender) {
@@ -163,7 +156,7 @@ std::optional<Input> input_of(const wire::Sample& sample, const Sender& sender) 
             return dn::JointTaskTold{from_wire(it),
                                      MissionTime::nanoseconds(it.header.mission_time)};
           },
-          [&](const wire::TeamMessage& it) { return told_by_team(sender, it); },
+          [&](const wire::TeamMessage& it) { return told_by<dn::TeamTold>(sender, it); },
           [&](const wire::TeamSale& it) { return told_by<dn::TeamTold>(sender, it); },
           [&](const wire::MergeMessage& it) { return told_by<dn::MergeTold>(sender, it); },
           [&](const wire::PlanFrontier& it) { return input_of(it, sender); },

@@ -40,9 +40,7 @@ bool GroundNode::hear_team(const node::Input& input) {
   if (!team_ || !inbox_.is_uav(received->from)) return true;
   auto message = about != nullptr ? translation::from_wire(*about) : translation::from_wire(*sale);
   if (message) {
-    std::optional<MissionTime> sent;
-    if (about != nullptr) sent = MissionTime::nanoseconds(about->header.mission_time);
-    tell_team(gs::TeamHeard{roster_.name_of(received->from), std::move(*message), sent});
+    tell_team(gs::TeamHeard{roster_.name_of(received->from), std::move(*message)});
   } else {
     log(inbox_.refuse(*received, message.error(), now_));
   }

@@ -218,6 +218,20 @@ std::vector<a::Claim> from_wire(const std::vector<wire::TeamClaim>& claims) {
   return result;
 }
 
+std::vector<wire::TeamEnd> to_wire(const std::vector<a::DoneClaim>& all) {
+  std::vector<wire::TeamEnd> result;
+  for (const auto& [claim, at] : all)
+    result.push_back({claim.task.value(), claim.sale, at.count()});
+  return result;
+}
+
+std::vector<a::DoneClaim> from_wire(const std::vector<wire::TeamEnd>& all) {
+  std::vector<a::DoneClaim> result;
+  for (const wire::TeamEnd& one : all)
+    result.push_back({{TaskNumber(one.task), one.sale}, MissionTime::nanoseconds(one.at)});
+  return result;
+}
+
 // ---- token and ledger ----
 
 wire::TeamMessage sample_of(const a::Beat& beat) {

@@ -134,7 +134,7 @@ TEST(Team, AStatusCrossesTheWire) {
   status.revision = 6;
   status.bids = false;
   status.wants = {{TaskNumber(1), 2}};
-  status.done = {{TaskNumber(3), 4}};
+  status.done = {{{TaskNumber(3), 4}, MissionTime::seconds(71.5)}};
   status.stopped = {{TaskNumber(5), 6}};
   status.stopped_why = {"no way"};
   status.missions = {{MissionNumber(8), {{task(21)}, {{TaskNumber(21), TaskNumber(22)}}}}};

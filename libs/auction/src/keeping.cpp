@@ -32,7 +32,7 @@ Status TeamMember::Core::status() const {
   for (const auto& [task, sale] : disk_.done) {
     const auto entry = ledger().entries.find(task);
     if (entry == ledger().entries.end() || entry->second.stage == Stage::kDone) continue;
-    status.done.push_back({task, sale});
+    status.done.push_back({{task, sale}, disk_.done_at.at(task)});
   }
   for (const auto& [task, sale] : disk_.stopped) {
     const auto entry = ledger().entries.find(task);
@@ -107,7 +107,7 @@ void TeamMember::Core::bound_followers(TaskNumber done) {
   const std::vector<Precedence> precedences = ledger().precedences;
   for (const auto& [first, then, delay] : precedences) {
     if (first != done || !delay.bounds() || !ledger().entries.contains(then)) continue;
-    bound_start(change(then).task, delay, ends_.of(done, now_));
+    bound_start(change(then).task, delay, task_ends_.of(ledger().entries.at(done), now_));
   }
 }
 
@@ -124,11 +124,12 @@ void TeamMember::Core::end_claims(MemberNumber member, const Status& status) {
     LedgerEntry& changed = change(claim.task);
     (changed.*where).insert(member);
     settle(changed, why);
-    if (changed.stage != Stage::kDone) return;
-    ends_.settled(claim.task, now_);
-    bound_followers(claim.task);
+    if (changed.stage == Stage::kDone) bound_followers(claim.task);
   };
-  for (const Claim& claim : status.done) end(claim, &LedgerEntry::finished, "");
+  for (const DoneClaim& done : status.done) {
+    task_ends_.said(member, done);
+    end(done.claim, &LedgerEntry::finished, "");
+  }
   for (std::size_t i = 0; i < status.stopped.size(); ++i) {
     const bool told = i < status.stopped_why.size() && !status.stopped_why[i].empty();
     end(status.stopped[i], &LedgerEntry::stopped, told ? ": " + status.stopped_why[i] : "");
@@ -165,30 +166,30 @@ bool TeamMember::Core::may_begin(const LedgerEntry& entry) const {
 // To nobody more than it may have ahead: two that wait for each other in their routes get one after
 // the other.
 void TeamMember::Core::grant() {
-  Load has = granted_load(ledger(), setup_.limits.ahead);
+  const auto is_owned = [&](const Claim& claim) {
+    const LedgerEntry& entry = ledger().entries.at(claim.task);
+    return entry.sale == claim.sale && entry.stage == Stage::kOwned;
+  };
+  std::erase_if(kept_back_, [&](const auto& kept) { return !is_owned(kept.first); });
+  GrantLoad load(ledger(), setup_.limits.ahead);
   std::vector<TaskNumber> granted;
   for (const auto& [task, entry] : ledger().entries) {
-    const auto full = [&](MemberNumber owner) { return has[owner] >= setup_.limits.ahead; };
     if (entry.stage != Stage::kOwned || !entry.stopped.empty() || !may_begin(entry)) continue;
-    if (std::any_of(entry.owners.begin(), entry.owners.end(), full)) continue;
-    if (!is_time_for(entry, has)) continue;
-    add_grant(has, ledger(), entry, setup_.limits.ahead);
+    if (load.any_full(entry.owners) || !is_time_for(entry, load)) continue;
+    load.add(entry);
     granted.push_back(task);
   }
   for (const TaskNumber task : granted) change(task).stage = Stage::kGranted;
 }
 
-// Who is to follow it in time is free. Routes that wait for each other do not count for longer than
-// a lease.
-bool TeamMember::Core::is_time_for(const LedgerEntry& entry, const Load& load) {
-  const TaskNumber task = entry.task.number;
-  const bool waited = kept_back_.contains(task) && now_ - kept_back_.at(task) > setup_.limits.lease;
-  const bool is_time = may_be_followed(ledger(), entry, load, !waited);
-  if (is_time) {
-    kept_back_.erase(task);
-  } else {
-    kept_back_.emplace(task, now_);
-  }
+// Who is to follow it in time is free. Routes that wait for each other, and what nobody buys, do
+// not count for longer than a lease.
+bool TeamMember::Core::is_time_for(const LedgerEntry& entry, const GrantLoad& load) {
+  const Claim claim{entry.task.number, entry.sale};
+  const auto kept = kept_back_.find(claim);
+  const bool waited = kept != kept_back_.end() && now_ - kept->second > setup_.limits.lease;
+  const bool is_time = load.may_be_followed(entry.task.number, !waited);
+  if (!is_time) kept_back_.emplace(claim, now_);
   return is_time;
 }
 

@@ -57,9 +57,10 @@ std::uint64_t OwnWork::sale_to_itself_alone(TaskNumber task) const {
   return entry.owners.size() == 1 && mine(entry) ? entry.sale : 0;
 }
 
-bool OwnWork::done(TaskNumber task) {
+bool OwnWork::done(TaskNumber task, MissionTime now) {
   if (!running_ || running_->task != task) return false;
   disk_.done[task] = std::max(running_->sale, sale_to_itself_alone(task));
+  disk_.done_at[task] = now;
   running_.reset();
   return true;
 }

@@ -24,9 +24,9 @@ class OwnWork {
   /// separate parts of the team may wait for each other.
   std::vector<Claim> wants(MissionTime now) const;
 
-  /// The running task is done, also under a later sale to this member alone. False: `task` is not
-  /// running.
-  [[nodiscard]] bool done(TaskNumber task);
+  /// The running task has ended and is done, also under a later sale to this member alone. False:
+  /// `task` is not running.
+  [[nodiscard]] bool done(TaskNumber task, MissionTime now);
   /// Gives a task of this member back for sale. False: the member does not own it.
   [[nodiscard]] bool put_back(const TaskPutBack& back);
   /// Gives up this member's parts of joint tasks that a partner gave up, unless they are running.

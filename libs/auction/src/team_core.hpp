@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "grant_load.hpp"
 #include "held_sale.hpp"
 #include "own_work.hpp"
 #include "skein/auction/bidder.hpp"
@@ -57,7 +58,6 @@ class TeamMember::Core {
   // token.cpp
   void on(const Beat& beat, MemberNumber from);
   void on(const Status& status, MemberNumber from);
-  void note_sent(const Heard& heard);
   void on(const VoteRequest& request, MemberNumber from);
   void on(const Vote& vote, MemberNumber from);
   void on(const NewerTerm& newer, MemberNumber from);
@@ -81,7 +81,7 @@ class TeamMember::Core {
   void settle(LedgerEntry& entry, const std::string& why);
   void bound_followers(TaskNumber done);
   void grant();
-  bool is_time_for(const LedgerEntry& entry, const Load& load);
+  bool is_time_for(const LedgerEntry& entry, const GrantLoad& load);
   bool may_begin(const LedgerEntry& entry) const;
   void resell();
   LedgerEntry& change(TaskNumber task);
@@ -131,8 +131,8 @@ class TeamMember::Core {
   std::optional<std::pair<MemberNumber, ToMember>> kept_call_;  ///< of another, without a craft yet
   std::deque<ToMember> own_calls_;                    ///< from the own auctioneer to this member
   std::map<MemberNumber, std::vector<Claim>> wants_;  ///< last claims of each member
-  TaskEnds ends_;
-  std::map<TaskNumber, MissionTime> kept_back_;  ///< since when, for who is to follow them in time
+  TaskEnds task_ends_;
+  std::map<Claim, MissionTime> kept_back_;  ///< since when, for who is to follow them in time
   std::set<MemberNumber> declared_lost_;
   bool stored_ = false, started_ = false, bids_ = true;
   TeamEffects effects_;

@@ -38,17 +38,12 @@ TeamEffects TeamMember::Core::handle(const TeamInput& input, MissionTime now) {
   std::visit(Overloaded{
                  [this](const Heard& heard) {
                    std::visit([&](const auto& message) { on(message, heard.from); }, heard.message);
-                   note_sent(heard);
                  },
                  [this](const MissionGiven& given) {
                    disk_.missions.push_back(given.mission);
                    stored_ = true;
                  },
-                 [this](const TaskDone& done) {
-                   if (!own_.done(done.task)) return;
-                   ends_.ended(done.task, now_);
-                   stored_ = true;
-                 },
+                 [this](const TaskDone& done) { stored_ |= own_.done(done.task, now_); },
                  [this](const TaskPutBack& back) { stored_ |= own_.put_back(back); },
                  [this](const Bids& bids) { bids_ = bids.bids && setup_.craft != nullptr; },
                  [this](const DeclaredLost& lost) { declared_lost_.insert(lost.member); },
@@ -175,6 +170,8 @@ void TeamMember::Core::hold() {
   known_.clear();
   told_.clear();
   wants_.clear();
+  task_ends_ = {};
+  kept_back_.clear();
   held_since_ = now_;
   committed_ = 0;
   took_part_.clear();
@@ -229,11 +226,6 @@ void TeamMember::Core::on(const Status& status, MemberNumber from) {
   known.news = status;
   const auto told = told_.find(from);
   if (told != told_.end() && status.revision >= told->second.revision) told_.erase(told);
-}
-
-void TeamMember::Core::note_sent(const Heard& heard) {
-  const auto* status = std::get_if<Status>(&heard.message);
-  if (status != nullptr && heard.sent) ends_.heard(heard.from, *heard.sent, status->done);
 }
 
 // The greatest revision that a majority has.

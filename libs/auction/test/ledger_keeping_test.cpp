@@ -37,9 +37,9 @@ struct LedgerKeepingTest : ::testing::Test {
     status.wants = std::move(claims);
     return status;
   }
-  static Status done(std::vector<Claim> claims) {
+  static Status done(const std::vector<Claim>& claims, double second = 5) {
     Status status = wants({});
-    status.done = std::move(claims);
+    for (const Claim& claim : claims) status.done.push_back({claim, at(second)});
     return status;
   }
   static Status stopped(std::vector<Claim> claims, std::vector<std::string> why = {}) {
@@ -79,13 +79,63 @@ TEST_F(LedgerKeepingTest, WhatIsToFollowADelayHasTheWindowThatTheEndLeaves) {
             .has(a_task(6).lasting(15), Stage::kOwned, {2})
             .delay(5, 6, {10, 60}));
 
-  holder->handle(Heard{MemberNumber(1), wants({}), at(5.5)}, at(5.7));
+  says(1, wants({}), 5.7);
   EXPECT_EQ(entry(6).task.earliest, 0);
-  holder->handle(Heard{MemberNumber(1), done({claim_to(5)}), at(6.5)}, at(6.8));
+  says(1, done({claim_to(5)}, 5.5), 6.8);
 
   EXPECT_EQ(stage(5), Stage::kDone);
-  EXPECT_NEAR(entry(6).task.earliest, 16.8, 1e-9) << "it was done when that was heard";
-  EXPECT_NEAR(entry(6).task.deadline, 80.5, 1e-9) << "it was not when something else was";
+  EXPECT_NEAR(entry(6).task.earliest, 15.5, 1e-9);
+  EXPECT_NEAR(entry(6).task.deadline, 80.5, 1e-9) << "it begins by 65.5 s";
+}
+
+// It took the token after that end: whoever ended it says when.
+TEST_F(LedgerKeepingTest, TheWindowIsTheSameForAHolderThatHearsOfTheEndMuchLater) {
+  holds(a_ledger()
+            .has(a_task(5).lasting(20), Stage::kGranted, {1})
+            .has(a_task(6).lasting(15), Stage::kOwned, {2})
+            .delay(5, 6, {10, 60}));
+
+  says(1, done({claim_to(5)}, 2.5), 31);
+
+  EXPECT_NEAR(entry(6).task.earliest, 12.5, 1e-9);
+  EXPECT_NEAR(entry(6).task.deadline, 77.5, 1e-9);
+}
+
+// One of its two owners ended its part under an earlier holder, at nobody knows what time.
+TEST_F(LedgerKeepingTest, OfATaskOfSeveralTheWindowHoldsWheneverTheOtherEnded) {
+  auto ledger = a_ledger()
+                    .has(a_task(5).lasting(20).members(2), Stage::kGranted, {1, 2})
+                    .has(a_task(6).lasting(15), Stage::kOwned, {2})
+                    .delay(5, 6, {10, 60})
+                    .finished(5, 1);
+  holds(ledger);
+  says(2, done({claim_to(5)}, 5), 8);
+  EXPECT_NEAR(entry(6).task.earliest, 18, 1e-9) << "both had ended it when that was heard";
+  EXPECT_NEAR(entry(6).task.deadline, 80, 1e-9) << "it had not ended before the one that is known";
+
+  holds(ledger);
+  says(1, done({claim_to(5)}, 5.5), 8);
+  says(2, done({claim_to(5)}, 5), 8);
+  EXPECT_NEAR(entry(6).task.earliest, 15.5, 1e-9) << "who ended it says so until the book does";
+  EXPECT_NEAR(entry(6).task.deadline, 80.5, 1e-9);
+}
+
+// 2 is to do 6 in time after 5, and has 7 before that in its route.
+TEST_F(LedgerKeepingTest, RoutesThatWaitForEachOtherHoldAGrantBackForALease) {
+  const auto ledger = a_ledger()
+                          .has(a_task(5), Stage::kOwned, {1})
+                          .has(a_task(7), Stage::kOwned, {2})
+                          .has(a_task(6), Stage::kOwned, {2})
+                          .delay(5, 6, {10, 60});
+  holds(ledger);
+  const auto both_say = [&](double second) {
+    says(1, wants({claim_to(5)}), second);
+    says(2, wants({}), second);
+  };
+  for (double second = 6; second < 16; second += 1) both_say(second);
+  EXPECT_EQ(stage(5), Stage::kOwned);
+  both_say(17);
+  EXPECT_EQ(stage(5), Stage::kGranted);
 }
 
 TEST_F(LedgerKeepingTest, WhatIsFollowedWithinADelayIsGrantedOnceWhoFollowsIsFree) {

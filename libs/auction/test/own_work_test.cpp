@@ -107,7 +107,7 @@ TEST_F(OwnWorkTest, WhatIsDoneIsDoneUnderItsSaleAndEarlierOnes) {
   knows(a_ledger().has(a_task(2), Stage::kGranted, {1}));
   own.begin_next(1, at(0));
 
-  EXPECT_TRUE(own.done(TaskNumber(2)));
+  EXPECT_TRUE(own.done(TaskNumber(2), at(9)));
 
   EXPECT_TRUE(own.has_ended({TaskNumber(2), 102}));
   EXPECT_TRUE(own.has_ended({TaskNumber(2), 101}));
@@ -122,7 +122,7 @@ TEST_F(OwnWorkTest, WhatItIsAtIsDoneUnderALaterSaleToItselfToo) {
   own.begin_next(1, at(0));
   knows(a_ledger().has(a_task(2), Stage::kGranted, {1}).sold_again(2));
 
-  EXPECT_TRUE(own.done(TaskNumber(2)));
+  EXPECT_TRUE(own.done(TaskNumber(2), at(9)));
 
   EXPECT_TRUE(own.has_ended({TaskNumber(2), 202}));
   EXPECT_EQ(own.begin_next(9, at(1)), std::nullopt);
@@ -134,7 +134,7 @@ TEST_F(OwnWorkTest, WhatIsSoldToOthersMeanwhileIsNotDoneForThem) {
     own.begin_next(1, at(0));
     knows(a_ledger().has(a_task(2), Stage::kGranted, owners).sold_again(2));
 
-    EXPECT_TRUE(own.done(TaskNumber(2)));
+    EXPECT_TRUE(own.done(TaskNumber(2), at(9)));
 
     EXPECT_FALSE(own.has_ended({TaskNumber(2), 202}));
     disk = {};
@@ -143,12 +143,12 @@ TEST_F(OwnWorkTest, WhatIsSoldToOthersMeanwhileIsNotDoneForThem) {
 
 TEST_F(OwnWorkTest, OnlyWhatRunsCanBeDone) {
   knows(a_ledger().has(a_task(2), Stage::kGranted, {1}).has(a_task(3), Stage::kGranted, {1}));
-  EXPECT_FALSE(own.done(TaskNumber(2)));
+  EXPECT_FALSE(own.done(TaskNumber(2), at(9)));
   own.begin_next(9, at(0));
 
-  EXPECT_FALSE(own.done(TaskNumber(3)));
-  EXPECT_TRUE(own.done(TaskNumber(2)));
-  EXPECT_FALSE(own.done(TaskNumber(2))) << "done twice is done once";
+  EXPECT_FALSE(own.done(TaskNumber(3), at(9)));
+  EXPECT_TRUE(own.done(TaskNumber(2), at(9)));
+  EXPECT_FALSE(own.done(TaskNumber(2), at(9))) << "done twice is done once";
 }
 
 TEST_F(OwnWorkTest, WhatRunsAndIsPutBackMakesRoomForTheNext) {
@@ -167,7 +167,7 @@ TEST_F(OwnWorkTest, PuttingBackWhatWaitsLeavesWhatRuns) {
 
   EXPECT_TRUE(own.put_back({TaskNumber(3), ""}));
 
-  EXPECT_TRUE(own.done(TaskNumber(2)));
+  EXPECT_TRUE(own.done(TaskNumber(2), at(9)));
 }
 
 TEST_F(OwnWorkTest, WhatIsNotItsOwnCannotBePutBack) {
@@ -194,7 +194,7 @@ TEST_F(OwnWorkTest, WhatRunsAlreadyEndsByItselfThoughAPartnerGaveItUp) {
   knows(a_ledger().has(a_task(2).members(2), Stage::kGranted, {1, 2}).stopped(2, 2));
 
   EXPECT_FALSE(own.give_up_claims());
-  EXPECT_TRUE(own.done(TaskNumber(2)));
+  EXPECT_TRUE(own.done(TaskNumber(2), at(9)));
 }
 
 TEST_F(OwnWorkTest, WhatOthersGaveUpAmongThemselvesIsNoConcern) {

@@ -253,7 +253,7 @@ TEST_F(TeamMemberTest, WhatIsDoneIsSaidUntilTheLedgerSaysSo) {
 
   for (const double second : {11, 12}) {
     const auto status = said<Status>(one.handle(from(1, Beat{3, 4, granted()}), at(second)));
-    EXPECT_THAT(status.at(0).done, ElementsAre(Claim{TaskNumber(5), 9}));
+    EXPECT_THAT(status.at(0).done, ElementsAre(DoneClaim{{TaskNumber(5), 9}, at(10)}));
   }
   auto later = granted();
   later->revision = 5;

@@ -29,8 +29,7 @@ std::vector<TeamDesk::Effect> TeamDesk::handle(const Input& input, MissionTime n
   Effects out;
   std::visit(Overloaded{[&](const TeamHeard& heard) {
                           const auto from = roster_.number_of(heard.from);
-                          if (from)
-                            tell_member(auction::Heard{*from, heard.message, heard.sent}, now, out);
+                          if (from) tell_member(auction::Heard{*from, heard.message}, now, out);
                         },
                         [&](const Tick&) { tell_member(auction::Tick{}, now, out); },
                         [&](const auto& it) { accept(it, now, out); }},

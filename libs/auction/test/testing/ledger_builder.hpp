@@ -40,6 +40,9 @@ class LedgerBuilder {
   LedgerBuilder& stopped(std::uint32_t task, std::uint32_t by) {
     return ledger_.entries.at(TaskNumber(task)).stopped.insert(MemberNumber(by)), *this;
   }
+  LedgerBuilder& finished(std::uint32_t task, std::uint32_t by) {
+    return ledger_.entries.at(TaskNumber(task)).finished.insert(MemberNumber(by)), *this;
+  }
   LedgerBuilder& term(std::uint64_t term) { return ledger_.term = term, *this; }
   operator Ledger() const { return ledger_; }  // NOLINT: builders are what they build
   std::shared_ptr<const Ledger> shared() const { return std::make_shared<const Ledger>(ledger_); }

@@ -72,7 +72,7 @@ void Team::start() {
 void Team::hear(const TeamTold& told) {
   if (!member_) return;
   const auto from = core_.config().team->roster.number_of(told.from);
-  if (from) give(auction::Heard{*from, told.message, told.sent});
+  if (from) give(auction::Heard{*from, told.message});
 }
 
 void Team::contact(const Contact& contact) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "skein/auction/message.hpp"
+#include "skein/foundation/time.hpp"
 
 namespace skein::auction {
 
@@ -68,6 +69,13 @@ struct Claim {
   auto operator<=>(const Claim&) const = default;
 };
 
+/// What a member has done under a claim, and when that ended by its clock.
+struct DoneClaim {
+  Claim claim;
+  MissionTime at;
+  bool operator==(const DoneClaim&) const = default;
+};
+
 /// From the token's holder to all members, periodically and after every change.
 struct Beat {
   std::uint64_t term = 0;
@@ -81,7 +89,7 @@ struct Status {
   std::uint64_t term = 0;
   std::uint64_t revision = 0;
   std::vector<Claim> wants;  ///< asks for the grant to begin these
-  std::vector<Claim> done;
+  std::vector<DoneClaim> done;
   std::vector<Claim> stopped;  ///< will not begin them, or has given them up
   std::vector<GivenMission> missions;
   std::set<MemberNumber> lost;

@@ -34,6 +34,7 @@ struct Disk {
   std::shared_ptr<const Ledger> ledger;
   std::map<TaskNumber, std::uint64_t> started;  ///< task to the last sale under which it began it
   std::map<TaskNumber, std::uint64_t> done;
+  std::map<TaskNumber, MissionTime> done_at;  ///< when it ended each of these
   std::map<TaskNumber, std::uint64_t> stopped;
   std::map<TaskNumber, std::string> stopped_why;
   std::vector<GivenMission> missions;  ///< given to this member, not yet committed
@@ -58,7 +59,6 @@ struct TeamSetup {
 struct Heard {
   MemberNumber from;
   TeamMessage message;
-  std::optional<MissionTime> sent{};  ///< by the sender's clock; none: nothing is known by it
 };
 struct MissionGiven {
   GivenMission mission;

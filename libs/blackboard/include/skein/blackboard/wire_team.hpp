@@ -98,6 +98,15 @@ struct TeamClaim {
 };
 SKEIN_WIRE_FIELDS(TeamClaim, task, sale, why)
 
+/// Done under a claim.
+struct TeamEnd {
+  std::uint32_t task = 0;
+  std::uint64_t sale = 0;
+  std::int64_t at = 0;  ///< [ns] of the mission
+  bool operator==(const TeamEnd&) const = default;
+};
+SKEIN_WIRE_FIELDS(TeamEnd, task, sale, at)
+
 struct TeamMission {
   std::uint64_t number = 0;
   std::vector<TeamTask> tasks;
@@ -128,7 +137,7 @@ struct TeamMessage {
   std::vector<TeamLedger> ledger;  ///< kBeat: none (the receiver has it) or one
   bool bids = false;  ///< this and what follows: kStatus
   std::vector<TeamClaim> wants;
-  std::vector<TeamClaim> done;
+  std::vector<TeamEnd> done;
   std::vector<TeamClaim> stopped;
   std::vector<TeamMission> missions;
   std::vector<std::uint32_t> lost;

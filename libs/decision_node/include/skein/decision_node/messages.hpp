@@ -124,7 +124,6 @@ struct DetoursPlanned {
 struct TeamTold {
   std::string from;
   auction::TeamMessage message;
-  std::optional<MissionTime> sent{};  ///< none: by nobody knows what clock
 };
 /// A message of another UAV about its air reservations and requests.
 struct MergeTold {

@@ -18,7 +18,6 @@ namespace skein::ground_station {
 struct TeamHeard {
   std::string from;
   auction::TeamMessage message;
-  std::optional<MissionTime> sent{};  ///< by the sender's clock
 };
 struct TeamTell {
   std::string to;
