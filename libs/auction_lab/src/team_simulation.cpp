@@ -103,17 +103,30 @@ void TeamSimulation::send(std::size_t from, const Tell& tell) {
   schedule(to, delay, Heard{number_of(from), tell.message});
 }
 
+// The way too begins no sooner than the task may; what would begin too late is put back.
 void TeamSimulation::begin(std::size_t member, const Claim& claim) {
   Member& one = members_[member];
   SKEIN_EXPECTS(!one.running);
   const LedgerEntry& entry = one.alive->ledger().entries.at(claim.task);
-  const Place to = entry.task.at;
+  const Task& task = entry.task;
+  const Place to = task.at;
   const double way = std::hypot(to.x - one.at.x, to.y - one.at.y) / world_.vehicles[member].speed;
+  const MissionTime from = std::max(now_, MissionTime::seconds(task.earliest));
+  const MissionTime there = from + Duration::seconds(way);
+  if (there.to_seconds() > task.deadline - task.duration) {
+    return schedule(member, Duration(), TaskPutBack{claim.task, "it would be too late"});
+  }
   one.at = to;
   one.running = executions_.size();
-  executions_.push_back(
-      {claim, number_of(member), now_, {}, Execution::End::kRunning, entry.owners, entry.why});
-  schedule(member, Duration::seconds(way + entry.task.duration), TaskDone{claim.task});
+  executions_.push_back({claim,
+                         number_of(member),
+                         from,
+                         {},
+                         Execution::End::kRunning,
+                         entry.owners,
+                         entry.why,
+                         there});
+  schedule(member, there + Duration::seconds(task.duration) - now_, TaskDone{claim.task});
 }
 
 void TeamSimulation::feed(std::size_t member, const TeamInput& input) {

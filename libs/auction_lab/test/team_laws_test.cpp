@@ -19,7 +19,18 @@ using ::testing::IsEmpty;
 
 class RandomMission {
  public:
-  explicit RandomMission(std::uint64_t seed) : random_(seed, "team-laws"), team_(world(seed)) {}
+  enum class Delays : std::uint8_t { kNone, kWide };
+  explicit RandomMission(std::uint64_t seed, Delays delays = Delays::kNone)
+      : random_(seed, "team-laws"),
+        bounds_(seed, "team-laws/delays"),
+        delays_(delays),
+        team_(world(seed)) {}
+
+  // Without any, for long enough.
+  void play_without_trouble() {
+    give(1);
+    team_.run_until(MissionTime::seconds(1200));
+  }
 
   // Trouble for two minutes, then a healed network for long enough.
   void play() {
@@ -34,6 +45,12 @@ class RandomMission {
   }
 
   const TeamSimulation& team() const { return team_; }
+  std::vector<Precedence> precedences() const {
+    std::vector<Precedence> all;
+    for (const GivenMission& mission : given_)
+      all.insert(all.end(), mission.lot.precedences.begin(), mission.lot.precedences.end());
+    return all;
+  }
   std::size_t tasks() const { return tasks_; }
 
  private:
@@ -76,11 +93,21 @@ class RandomMission {
       task.least_members = random_.chance(0.2) ? 2 : 1;
       mission.lot.tasks.push_back(task);
       if (i > 0 && random_.chance(0.2)) {
-        mission.lot.precedences.push_back({task_number(number * 100 + i - 1), task.number});
+        mission.lot.precedences.push_back(
+            {task_number(number * 100 + i - 1), task.number, delay()});
       }
     }
     tasks_ += count;
     return mission;
+  }
+
+  // Wide enough for any way, which takes 29 s at the most.
+  Delay delay() {
+    if (delays_ == Delays::kNone || bounds_.chance(0.2)) return {};
+    Delay delay;
+    delay.least = bounds_.chance(0.6) ? bounds_.uniform(0, 40) : 0;
+    if (bounds_.chance(0.7)) delay.most = delay.least + bounds_.uniform(40, 90);
+    return delay;
   }
 
   std::size_t any() { return random_.below(team_.size()); }
@@ -125,7 +152,8 @@ class RandomMission {
     if (random_.chance(0.5)) team_.crash(one);
   }
 
-  Random random_;
+  Random random_, bounds_;
+  Delays delays_;
   std::size_t tasks_ = 0;
   std::vector<GivenMission> given_;
   TeamSimulation team_;
@@ -152,6 +180,78 @@ TEST(TeamLaws, NothingIsDoneTwiceNothingIsForgottenEverySaleIsExplained) {
     EXPECT_EQ(mission.team().token_holders(), 1U) << "seed " << seed;
   }
   std::cout << seed - from << " missions played, seeds " << from << " to " << seed - 1 << '\n';
+}
+
+/// Those that nobody did, of those that have a greatest time after another, or come after such one.
+std::size_t given_up(const RandomMission& mission) {
+  std::set<TaskNumber> late;
+  std::vector<std::string> wrong;
+  const auto all = mission.precedences();
+  const auto& entries = mission.team().ledger(0).entries;
+  for (std::size_t pass = 0; pass < all.size(); ++pass) {
+    for (const auto& [first, then, delay] : all)
+      if (delay.bounds_above() || late.contains(first)) late.insert(then);
+  }
+  for (const auto& [task, entry] : entries) {
+    if (entry.stage == Stage::kDone) continue;
+    if (!late.contains(task) || entry.why.empty())
+      ADD_FAILURE() << "task " << to_text(task) << " is not done: " << entry.why;
+  }
+  return static_cast<std::size_t>(std::count_if(entries.begin(), entries.end(), [](const auto& e) {
+    return e.second.stage != Stage::kDone;
+  }));
+}
+
+TEST(TeamLaws, WhatIsToFollowInTimeDoesSoOrIsGivenUp) {
+  const std::uint64_t from = environment("SKEIN_TEAM_SEED", 1);
+  const std::uint64_t count =
+      environment("SKEIN_TEAM_COUNT", skein::testing::cases<std::uint64_t>(60, 10'000));
+  std::size_t tasks = 0, late = 0;
+  for (std::uint64_t seed = from; seed < from + count && !HasFailure(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMission mission(seed, RandomMission::Delays::kWide);
+    mission.play();
+
+    EXPECT_THAT(out_of_time(mission.precedences(), mission.team().executions()), IsEmpty());
+    EXPECT_THAT(executed_twice(mission.team().executions()), IsEmpty());
+    EXPECT_EQ(mission.team().ledger(0).entries.size(), mission.tasks());
+    late += given_up(mission);
+    tasks += mission.tasks();
+  }
+  std::cout << late << " of " << tasks << " tasks given up, under cuts and crashes\n";
+}
+
+TEST(TeamLaws, WithoutTroubleAllThatIsToFollowInTimeDoesSo) {
+  const std::uint64_t from = environment("SKEIN_TEAM_SEED", 1);
+  const std::uint64_t count =
+      environment("SKEIN_TEAM_COUNT", skein::testing::cases<std::uint64_t>(60, 10'000));
+  for (std::uint64_t seed = from; seed < from + count && !HasFailure(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMission mission(seed, RandomMission::Delays::kWide);
+    mission.play_without_trouble();
+
+    EXPECT_THAT(out_of_time(mission.precedences(), mission.team().executions()), IsEmpty());
+    EXPECT_THAT(unfinished(mission.team(), mission.tasks()), IsEmpty());
+  }
+}
+
+// The law itself finds what it is for.
+TEST(TeamLaws, WhatBeginsTooSoonOrTooLateIsSeen) {
+  const auto at = [](double s) { return MissionTime::seconds(s); };
+  const auto execution = [&](std::uint32_t task, double began, double there, double ended) {
+    return Execution{{task_number(task), 1}, MemberNumber(1),   at(began), at(ended),
+                     Execution::End::kDone,  {MemberNumber(1)}, "sold",    at(there)};
+  };
+  const std::vector<Precedence> precedences{{task_number(1), task_number(2), {10, 60}}};
+  const auto seen = [&](double began, double there) {
+    return out_of_time(precedences, {execution(1, 0, 5, 20), execution(2, began, there, 99)})
+        .size();
+  };
+
+  EXPECT_EQ(seen(30, 80), 0U);
+  EXPECT_EQ(seen(29.9, 80), 1U);
+  EXPECT_EQ(seen(30, 80.1), 1U);
+  EXPECT_EQ(out_of_time(precedences, {execution(2, 30, 40, 99)}).size(), 1U) << "nothing before it";
 }
 
 // The law itself finds what it is for.

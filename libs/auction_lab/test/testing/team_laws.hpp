@@ -45,6 +45,44 @@ inline std::vector<std::string> executed_twice(const std::vector<Execution>& exe
   return wrong;
 }
 
+/// When a task was done by all owners of a sale; several, if it was done again.
+inline std::vector<MissionTime> ends_of(TaskNumber task, const std::vector<Execution>& executions) {
+  std::map<std::uint64_t, std::pair<std::size_t, MissionTime>> done;  // by sale
+  std::vector<MissionTime> ends;
+  for (const Execution& one : executions) {
+    if (one.claim.task != task || one.end != Execution::End::kDone) continue;
+    auto& [members, last] = done[one.claim.sale];
+    last = std::max(last, one.ended);
+    if (++members == one.owners.size()) ends.push_back(last);
+  }
+  return ends;
+}
+
+/// Nobody sets off to what is to follow another task sooner than the least time after that, and
+/// what is done began within the greatest.
+inline std::vector<std::string> out_of_time(const std::vector<Precedence>& precedences,
+                                            const std::vector<Execution>& executions) {
+  constexpr double kRounding = 1e-6;  // [s]
+  std::vector<std::string> wrong;
+  for (const auto& [first, then, delay] : precedences) {
+    const auto ends = ends_of(first, executions);
+    for (const Execution& one : executions) {
+      if (one.claim.task != then) continue;
+      const bool is_done = one.end == Execution::End::kDone;
+      const bool in_time = std::any_of(ends.begin(), ends.end(), [&, d = delay](MissionTime end) {
+        const bool too_soon = (one.began - end).to_seconds() < d.least - kRounding;
+        const bool too_late = (one.there - end).to_seconds() > d.most + kRounding;
+        return !too_soon && !(is_done && too_late);
+      });
+      if (in_time) continue;
+      wrong.push_back("task " + to_text(then) + " begun at " + to_text(one.began) + ", there at " +
+                      to_text(one.there) + ", after " + to_text(first) + " that ended at " +
+                      (ends.empty() ? "no time" : to_text(ends.front())));
+    }
+  }
+  return wrong;
+}
+
 /// A token is taken once in its term, by one member.
 inline std::vector<std::string> terms_shared(const std::vector<TokenHeld>& tokens) {
   std::vector<std::string> wrong;

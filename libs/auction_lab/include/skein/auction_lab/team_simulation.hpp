@@ -36,6 +36,7 @@ struct Execution {
   End end = End::kRunning;
   std::vector<MemberNumber> owners;  ///< of the sale under which it began
   std::string why;                   ///< of that sale
+  MissionTime there{};               ///< it begins when the way to the task does
 };
 
 /// A member that took the token.
