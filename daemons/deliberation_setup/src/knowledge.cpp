@@ -9,6 +9,7 @@
 #include "skein/foundation/nearest.hpp"
 #include "skein/interaction/role_fit.hpp"
 #include "skein/mission/degree.hpp"
+#include "skein/team/abilities.hpp"
 #include "skein/team/conflicts.hpp"
 #include "skein/world/world_builder.hpp"
 
@@ -227,18 +228,31 @@ MissionTime begin_of(const ground_station::Trigger& when) {
   return time == nullptr ? MissionTime() : time->at;
 }
 
+team::Vehicles vehicles_of(const Scenario& scenario) {
+  team::Vehicles vehicles;
+  for (const UavSpec& uav : scenario.uavs)
+    if (scenario.team->roster.number_of(uav.name)) vehicles.emplace(uav.name, uav.model);
+  return vehicles;
+}
+
 void check_global_missions(const Scenario& scenario, const mission::Vocabulary& vocabulary,
                            const std::vector<ground_station::Action>& actions, MissionTime begin,
                            Diagnostics& diagnostics) {
+  const auto refuse = [&](mission::MissionId mission,
+                          const std::vector<team::Conflict>& conflicts) {
+    for (const team::Conflict& one : conflicts) {
+      const TaskPlace place(scenario, scenario.ground.asked, "", one.task);
+      diagnostics.add(place.at("global mission " + to_text(mission) + ": " + one.sentence,
+                               "tasks that can all be done", ""));
+    }
+  };
   for (const ground_station::Action& action : actions) {
     const auto* sent = std::get_if<ground_station::SendGlobalMission>(&action);
     if (sent == nullptr) continue;
-    for (const team::Conflict& one : team::conflicts_of(sent->mission, scenario.team->roster,
-                                                        vocabulary, scenario.uav_names(), begin)) {
-      const TaskPlace place(scenario, scenario.ground.asked, "", one.task);
-      diagnostics.add(place.at("global mission " + to_text(sent->mission.id) + ": " + one.sentence,
-                               "tasks that can all be done", ""));
-    }
+    const team::GlobalMission& mission = sent->mission;
+    refuse(mission.id, team::conflicts_of(mission, scenario.team->roster, vocabulary,
+                                          scenario.uav_names(), begin));
+    refuse(mission.id, team::lacks_of(mission, vehicles_of(scenario)));
   }
 }
 

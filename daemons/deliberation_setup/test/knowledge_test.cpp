@@ -226,6 +226,18 @@ TEST(GlobalMissions, TheTimeAtWhichTheyAreGivenCounts) {
                         "is 29 s: 11 begins at 10 s at the earliest and lasts 20 s"));
 }
 
+TEST(GlobalMissions, WhatNobodyHasWhatItNeedsIsNamedWithWhatEachLacks) {
+  using interaction::Requirement;
+  scenario::Scenario scenario = team_of_two();
+  scenario.uavs.at(0).model.abilities = {{"payload", 1}};
+  mission_of(scenario).tasks.at(0).needs = {
+      {"payload", Requirement::Bound{interaction::Relation::kAtLeast, 2}}};
+
+  EXPECT_THAT(to_text(global_mission_problems(scenario)),
+              HasSubstr("global mission 1: task 11: nobody has what it needs: heliv: it lacks "
+                        "payload ≥ 2; marvin: it lacks payload ≥ 2 (it has 1)"));
+}
+
 TEST(GlobalMissions, ThoseOfOperatorsAreLookedAtToo) {
   scenario::Scenario scenario = team_of_two();
   team::GlobalMission narrow = mission_of(scenario);

@@ -9,6 +9,7 @@
 
 #include "skein/foundation/overloaded.hpp"
 #include "skein/team/global_mission.hpp"
+#include "team_needs.hpp"
 
 namespace skein::translation {
 
@@ -81,6 +82,8 @@ wire::TeamTask wire_task(const a::Task& task, bool with_work) {
   if (order == nullptr || !with_work) return result;
   result.work = {to_wire(order->task)};
   result.asked_by = order->asked_by;
+  for (const interaction::Requirement& need : order->needs)
+    result.needs_of_work.push_back(to_wire(need));
   return result;
 }
 
@@ -103,7 +106,10 @@ Read<a::Task> task_of(const wire::TeamTask& task, const std::string& path) {
   if (task.work.empty()) return result;
   auto work = from_wire(task.work.front(), path + ".work[0]");
   if (!work) return tl::unexpected(work.error());
-  result.work = std::make_shared<const team::Order>(std::move(*work), task.asked_by);
+  interaction::Requirements needs;
+  for (const wire::TeamNeed& need : task.needs_of_work) needs.push_back(from_wire(need));
+  result.work =
+      std::make_shared<const team::Order>(std::move(*work), task.asked_by, std::move(needs));
   return result;
 }
 

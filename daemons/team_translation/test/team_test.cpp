@@ -14,6 +14,15 @@ namespace {
 
 using namespace auction;
 
+// One of each form.
+interaction::Requirements some_needs() {
+  using interaction::Requirement;
+  interaction::Requirements needs{{"hovering", {}}, {"camera", "ir"}};
+  for (int relation = 0; relation <= static_cast<int>(interaction::Relation::kGreater); ++relation)
+    needs.push_back({"payload", Requirement::Bound{interaction::Relation(relation), 2.5}});
+  return needs;
+}
+
 Task task(std::uint32_t number) {
   Task one;
   one.number = TaskNumber(number);
@@ -29,7 +38,7 @@ Task task(std::uint32_t number) {
   work.id = mission::GoalId(number);
   work.name = "look";
   work.arguments = {std::string("P1"), 20.0};
-  one.work = std::make_shared<const team::Order>(work, "operator");
+  one.work = std::make_shared<const team::Order>(work, "operator", some_needs());
   return one;
 }
 
@@ -95,6 +104,7 @@ TEST(Team, ALedgerCrossesTheWireWithTheWorkOfItsTasks) {
   expect_same(read.task, said.task);
   EXPECT_EQ(team::order_of(read.task)->task, team::order_of(said.task)->task);
   EXPECT_EQ(team::order_of(read.task)->asked_by, "operator");
+  EXPECT_EQ(team::order_of(read.task)->needs, some_needs());
   EXPECT_EQ(read.stage, said.stage);
   EXPECT_EQ(read.owners, said.owners);
   EXPECT_EQ(read.sale, said.sale);

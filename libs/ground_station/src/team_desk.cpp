@@ -6,6 +6,7 @@
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/mission/degree.hpp"
+#include "skein/team/abilities.hpp"
 
 namespace skein::ground_station {
 
@@ -46,6 +47,8 @@ void TeamDesk::accept(const GiveGlobalMission& given, MissionTime now, Effects& 
     const mission::Surroundings around{knowledge_.places, knowledge_.zones, uavs_, nullptr};
     const mission::Vocabulary vocabulary = knowledge_.vocabulary.value_or(mission::Vocabulary());
     problems = problems_of(mission, roster_, vocabulary, around, now);
+    for (team::Conflict& one : team::lacks_of(mission, vehicles()))
+      problems.push_back(std::move(one.sentence));
     for (const team::GlobalTask& task : mission.tasks) {
       if (!tasks_.contains(task.task.id)) continue;
       problems.push_back("task " + skein::to_text(task.task.id) + " is one of another mission");
@@ -78,6 +81,14 @@ void TeamDesk::accept(const GiveGlobalMission& given, MissionTime now, Effects& 
                                       0,
                                       "waits at the ground station for an alarm"}});
   }
+}
+
+// Of those of the team.
+team::Vehicles TeamDesk::vehicles() const {
+  team::Vehicles vehicles;
+  for (const auto& [uav, vehicle] : knowledge_.vehicles)
+    if (roster_.number_of(uav)) vehicles.emplace(uav, vehicle);
+  return vehicles;
 }
 
 void TeamDesk::accept(const PlaceKnown& known, MissionTime now, Effects& out) {

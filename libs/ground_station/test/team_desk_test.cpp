@@ -112,6 +112,29 @@ TEST(TeamDesk, AMissionThatMakesNoSenseIsRefusedWithEveryReason) {
   EXPECT_THAT(refused[0].why, HasSubstr("nowhere"));
 }
 
+TEST(TeamDesk, AMissionThatNeedsWhatEverybodyLacksIsRefusedAtOnceWithWhatEachLacks) {
+  using interaction::Requirement;
+  MissionKnowledge known = knowledge();
+  known.vehicles["marvin"].abilities = {{"payload", 1}};
+  known.vehicles["heliv"] = {};
+  known.vehicles["karma"].abilities = {{"payload", 9}};  // is not in the team
+  TeamDesk ground({team::Roster({"marvin", "heliv", "ground"}), {}, 1}, "ground", known,
+                  {"marvin", "heliv", "karma"});
+  const auto given = [&](std::uint64_t id, double least) {
+    GiveGlobalMission give = mission_of(id, id + 10);
+    give.mission.tasks[0].needs = {
+        {"payload", Requirement::Bound{interaction::Relation::kAtLeast, least}}};
+    return all<GlobalMissionChanged>(ground.handle(give, at(1))).at(0);
+  };
+
+  EXPECT_EQ(given(1, 1).stage, GlobalStage::kGiven);
+  const GlobalMissionChanged refused = given(2, 2);
+  EXPECT_EQ(refused.stage, GlobalStage::kRefused);
+  EXPECT_EQ(refused.why,
+            "task 12: nobody has what it needs: heliv: it lacks payload ≥ 2; "
+            "marvin: it lacks payload ≥ 2 (it has 1)");
+}
+
 TEST(TeamDesk, ATaskOfAnotherMissionIsNotTakenAgain) {
   TeamDesk ground = desk();
   ground.handle(mission_of(1, 11), at(1));

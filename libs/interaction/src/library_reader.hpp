@@ -13,6 +13,8 @@
 
 namespace skein::interaction {
 
+/// Without spaces around it.
+std::string trimmed(const std::string& text);
 /// "Obj", "Point", …
 std::optional<ParameterType> read_type(const config::Reader& reader);
 /// `{front: Obj, duration: Time}`; with `optional`, a name that ends with `?` may be left out.

@@ -6,6 +6,12 @@ namespace skein::interaction {
 
 using config::Reader;
 
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 std::optional<ParameterType> read_type(const Reader& reader) {
   static const std::vector<std::string> kNames{"Obj", "Point", "Time", "UAVlist", "Number", "Text"};
   if (!reader.present()) reader.error("no type", "Obj, Point, Time, UAVlist, Number or Text");

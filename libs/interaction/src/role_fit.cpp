@@ -4,40 +4,11 @@
 #include <deque>
 #include <memory>
 
-#include "skein/foundation/overloaded.hpp"
 #include "skein/interaction/engine.hpp"
 
 namespace skein::interaction {
 
 namespace {
-
-bool stands(double figure, const Requirement::Bound& bound) {
-  switch (bound.relation) {
-    case Relation::kLess:
-      return figure < bound.value;
-    case Relation::kAtMost:
-      return figure <= bound.value;
-    case Relation::kEqual:
-      return figure == bound.value;
-    case Relation::kAtLeast:
-      return figure >= bound.value;
-    case Relation::kGreater:
-      return figure > bound.value;
-  }
-  return false;
-}
-
-bool meets(const Requirement& requirement, const Capabilities& capabilities) {
-  const auto found = capabilities.find(requirement.capability);
-  if (found == capabilities.end()) return false;
-  return std::visit(
-      Overloaded{[](std::monostate) { return true; },
-                 [&](const std::string& value) { return found->second.values.count(value) > 0; },
-                 [&](const Requirement::Bound& bound) {
-                   return found->second.figure && stands(*found->second.figure, bound);
-                 }},
-      requirement.value);
-}
 
 /// Plays an automaton whose tasks all end well, one after the other.
 class NominalPlay {
@@ -94,14 +65,6 @@ class NominalPlay {
 };
 
 }  // namespace
-
-std::vector<Requirement> unmet(const Role& role, const Capabilities& capabilities) {
-  std::vector<Requirement> missing;
-  for (const Requirement& one : role.requirements) {
-    if (!meets(one, capabilities)) missing.push_back(one);
-  }
-  return missing;
-}
 
 std::vector<NominalStep> nominal_path(const Automaton& automaton) {
   return NominalPlay(automaton).play();

@@ -5,59 +5,12 @@
 
 #include "skein/config/parse.hpp"
 #include "skein/foundation/random.hpp"
-#include "skein/interaction/describe.hpp"
 #include "skein/interaction/read_automaton.hpp"
 #include "testing/random_automaton.hpp"
 #include "testing/small_library.hpp"
 
 namespace skein::interaction {
 namespace {
-
-Role role_needing(std::vector<Requirement> needs) { return {"r", std::move(needs), {}, {}}; }
-
-std::vector<std::string> missing(const Role& role, const Capabilities& capabilities) {
-  std::vector<std::string> all;
-  for (const Requirement& one : unmet(role, capabilities)) all.push_back(describe(one));
-  return all;
-}
-
-TEST(RoleFit, NamesEveryRequirementThatIsNotMet) {
-  const Role role = role_needing({{"hovering", {}},
-                                  {"camera", "visible"},
-                                  {"endurance", Requirement::Bound{Relation::kAtLeast, 900}}});
-
-  EXPECT_EQ(missing(role, {}),
-            (std::vector<std::string>{"hovering", "camera: visible", "endurance ≥ 900"}));
-  EXPECT_EQ(missing(role, {{"hovering", {}}, {"camera", {{"ir"}, {}}}, {"endurance", {{}, 899}}}),
-            (std::vector<std::string>{"camera: visible", "endurance ≥ 900"}));
-  EXPECT_TRUE(
-      missing(role,
-              {{"hovering", {}}, {"camera", {{"ir", "visible"}, {}}}, {"endurance", {{}, 900}}})
-          .empty());
-}
-
-TEST(RoleFit, AFigureThatIsAskedForMustBeThere) {
-  const Role role = role_needing({{"endurance", Requirement::Bound{Relation::kLess, 900}}});
-
-  EXPECT_EQ(missing(role, {{"endurance", {{"long"}, {}}}}).size(), 1U);
-}
-
-TEST(RoleFit, EveryRelationIsWhatItSays) {
-  const auto met = [](Relation relation, double figure) {
-    return unmet(role_needing({{"x", Requirement::Bound{relation, 5}}}), {{"x", {{}, figure}}})
-        .empty();
-  };
-  const std::vector<std::pair<Relation, std::vector<bool>>> expected{
-      {Relation::kLess, {true, false, false}},
-      {Relation::kAtMost, {true, true, false}},
-      {Relation::kEqual, {false, true, false}},
-      {Relation::kAtLeast, {false, true, true}},
-      {Relation::kGreater, {false, false, true}}};
-  for (const auto& [relation, holds] : expected) {
-    for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_EQ(met(relation, 4.0 + static_cast<double>(i)), holds[i]) << to_text(relation) << i;
-  }
-}
 
 std::vector<std::string> path_of(const std::string& yaml) {
   const auto automaton = read_automaton(yaml, "a.yaml");

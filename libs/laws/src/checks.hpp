@@ -67,6 +67,7 @@ std::vector<Violation> team_tasks_begun_twice(const History& history);
 std::vector<Violation> team_tasks_without_owner(const History& history);
 std::vector<Violation> left_aloft(const History& history);
 std::vector<Violation> team_delays_not_kept(const History& history);
+std::vector<Violation> team_abilities_lacking(const History& history);
 std::vector<Violation> team_sales_unexplained(const History& history);
 std::vector<Violation> kept_while_late(const History& history);
 // motion.cpp

@@ -29,6 +29,7 @@ std::vector<Law> team_laws() {
       {"team-late", "who is late keeps nothing of the team that it has not begun", kept_while_late},
       {"team-delays", "what is to begin some time after another task of the team does so",
        team_delays_not_kept},
+      {"team-abilities", "who begins a task of the team has what it needs", team_abilities_lacking},
       {"team-home", "who is out of reach of most and has nothing to do comes home", left_aloft}};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Teams at degree 5 with a global mission.
 #include <cmath>
+#include <map>
 
 #include "parts.hpp"
 #include "skein/mission_lab/generate.hpp"
@@ -19,6 +20,7 @@ class TeamDrawing {
         delays_(seed, "delays of a team"),
         lasting_(seed, "lasting cuts of a team"),
         bounds_(seed, "times between tasks of a team"),
+        abilities_(seed, "what tasks of a team need"),
         kinds_(kinds) {
     mission_.seed = seed;
   }
@@ -54,6 +56,8 @@ class TeamDrawing {
       one.altitude = 35 + 20.0 * static_cast<double>(i);
       one.first_id = 100 * static_cast<int>(i + 1);
       draw_policy(one);
+      payloads_[one.name] = static_cast<int>(abilities_.below(5));
+      one.more += ", abilities: {payload: " + std::to_string(payloads_.at(one.name)) + "}";
       mission_.team.push_back(std::move(one));
     }
   }
@@ -91,8 +95,9 @@ class TeamDrawing {
     if (!mission_.global.empty() && random_.chance(0.2)) {
       task += ", after: [" + draw_before(std::to_string(10 + mission_.global.size())) + "]";
     }
-    if (random_.chance(0.15)) task += ", by: " + any().name;
-    mission_.global.push_back(task + "}");
+    const std::string by = random_.chance(0.15) ? any().name : "";
+    if (!by.empty()) task += ", by: " + by;
+    mission_.global.push_back(task + draw_needs(by) + "}");
   }
 
   // Half of them with bounds, wide enough for most ways. From a sequence of its own.
@@ -102,6 +107,16 @@ class TeamDrawing {
     std::string bounds = "{task: " + first + ", least: " + whole(least);
     if (bounds_.chance(0.7)) bounds += ", most: " + whole(least + bounds_.uniform(60, 300));
     return bounds + "}";
+  }
+
+  // What one of them has, at least: who it is pinned to, if there is one.
+  std::string draw_needs(const std::string& by) {
+    if (!abilities_.chance(0.3)) return "";
+    const std::string& uav = mission_.team[abilities_.below(mission_.team.size())].name;
+    const int payload = payloads_.at(by.empty() ? uav : by);
+    const bool hovers = abilities_.chance(0.3);
+    return ", needs: [" + std::string(hovers ? "hovering, " : "") +
+           "\"payload >= " + std::to_string(payload) + "\"]";
   }
 
   // Down, and after a while up again.
@@ -147,6 +162,8 @@ class TeamDrawing {
   Random delays_;
   Random lasting_;
   Random bounds_;
+  Random abilities_;
+  std::map<std::string, int> payloads_;  ///< [kg]
   Kinds kinds_;
   Mission mission_;
 };

@@ -81,8 +81,8 @@ team::GlobalTask read_team_task(const Reader& reader, std::size_t number,
                                 std::vector<ground_station::ArgumentTarget>& targets,
                                 TaskContext& context) {
   team::GlobalTask asked;
-  if (!reader.keys({"id", "task", "members", "after", "by", "not_by", "repeatable", "start_before",
-                    "start_after", "end_before", "end_after"})) {
+  if (!reader.keys({"id", "task", "members", "needs", "after", "by", "not_by", "repeatable",
+                    "start_before", "start_after", "end_before", "end_after"})) {
     return asked;
   }
   const Reader id = reader.required("id");
@@ -96,6 +96,8 @@ team::GlobalTask read_team_task(const Reader& reader, std::size_t number,
   read_statement(reader.required("task"), asked.task, number, targets);
   asked.task.time = read_time_constraints(reader);
   asked.members = static_cast<std::uint32_t>(reader.optional("members").integer(1, 1, 100));
+  if (const Reader needs = reader.optional("needs"); needs.present())
+    asked.needs = interaction::read_requirements(needs);
   for (const Reader& before : items_of(reader.optional("after"))) read_before(before, asked);
   if (const Reader by = reader.optional("by"); by.present()) {
     asked.by = by.name_among(context.names.uavs, "a UAV");

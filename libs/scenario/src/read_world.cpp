@@ -101,11 +101,12 @@ void read_uavs(const Reader& reader, const std::string& folder, Diagnostics& dia
       uav.error("'" + name + "' cannot be a UAV's name",
                 "1 to 32 letters, digits, '-' or '_', and none of ground, sim, runner");
     }
-    if (!uav.keys(
-            {"model", "start", "heading", "energy", "degree", "contact_loss", "functional"})) {
+    if (!uav.keys({"model", "abilities", "start", "heading", "energy", "degree", "contact_loss",
+                   "functional"})) {
       continue;
     }
     read_model(uav.required("model"), folder, diagnostics, spec);
+    world::read_abilities(uav.optional("abilities"), spec.model);
     spec.start = read_point_2d(uav.required("start"));
     spec.heading = uav.optional("heading").number(0, {-7, 7, "rad"});
     spec.energy = uav.optional("energy").number(1, kFraction);

@@ -101,6 +101,23 @@ TEST(TeamScenario, TimesAfterAnotherTaskThatMakeNoSenseAreSaidWithTheirPlace) {
   EXPECT_THAT(after("{task: 11, mots: 5}"), HasSubstr("mots"));
 }
 
+TEST(TeamScenario, ATaskSaysWhatEachOfItsMembersNeeds) {
+  const auto with_needs = [](const std::string& needs) {
+    return with_team("{}",
+                     "{global_mission: {id: 3, tasks: [{id: 11, task: [perceive, base, 20], "
+                     "needs: " +
+                         needs + "}]}}");
+  };
+  const Scenario scenario = read_valid(with_needs("[hovering, {camera: ir}, 'payload >= 2.5']"));
+  using interaction::Requirement;
+  EXPECT_THAT(mission_of(scenario).mission.tasks[0].needs,
+              ElementsAre(Requirement{"hovering", {}}, Requirement{"camera", "ir"},
+                          Requirement{"payload", Requirement::Bound{
+                                                     interaction::Relation::kAtLeast, 2.5}}));
+  EXPECT_THAT(errors_of(with_needs("['payload >= much']")),
+              AllOf(HasSubstr("tasks[0].needs[0]"), HasSubstr("is no condition")));
+}
+
 TEST(TeamScenario, DegreeFiveIsForMembersOfATeam) {
   EXPECT_THAT(errors_of(planning_scenario_with("degree: 4", "degree: 5")),
               HasSubstr("it is in no team"));

@@ -46,7 +46,7 @@ auction::Task task_of(const GlobalTask& asked, const Roster& roster,
     if (const auto number = roster.number_of(uav)) task.forbidden.insert(*number);
   }
   task.repeatable = asked.repeatable;
-  task.work = std::make_shared<const Order>(asked.task, asked_by);
+  task.work = std::make_shared<const Order>(asked.task, asked_by, asked.needs);
   return task;
 }
 

@@ -141,12 +141,28 @@ void read_driving(const Reader& reader, VehicleModel& model) {
 
 }  // namespace
 
+void read_abilities(const Reader& reader, VehicleModel& model) {
+  constexpr std::array known = {"hovering", "relay",   "radio",    "camera",
+                                "speed",    "ceiling", "endurance"};
+  for (const auto& [name, figure] : reader.entries()) {
+    const bool is_known =
+        std::any_of(known.begin(), known.end(), [&n = name](const char* one) { return n == one; });
+    const bool is_range = std::any_of(
+        model.sensors.begin(), model.sensors.end(),
+        [&n = name](const SensorModel& sensor) { return n == sensor.device + "-range"; });
+    if (is_known || is_range)
+      figure.error("'" + name + "' follows from the rest of the model", "another name");
+    model.abilities[name] = figure.number(0, {-1e12, 1e12, ""});
+  }
+}
+
 VehicleModel read_vehicle_model(const Reader& reader) {
   constexpr std::array kinds = {VehicleKind::kHelicopter, VehicleKind::kBlimp,
                                 VehicleKind::kFixedWing, VehicleKind::kGround};
   reader.keys({"model", "kind", "hovers", "speed", "climb_rate", "descent_rate", "acceleration",
                "yaw_rate", "min_turn_radius", "orbit_radius", "ceiling", "body_radius",
-               "position_precision", "wind_drift", "ground", "energy", "pilot", "sensors"});
+               "position_precision", "wind_drift", "ground", "energy", "pilot", "sensors",
+               "abilities"});
   VehicleModel model;
   model.name = reader.required("model").text();
   if (reader.optional("model").present() && model.name.empty())
@@ -166,6 +182,7 @@ VehicleModel read_vehicle_model(const Reader& reader) {
     if (!entry.present()) entry.error("missing", "a map that describes the sensor");
     model.sensors.push_back(read_sensor(device, entry));
   }
+  read_abilities(reader.optional("abilities"), model);
   return model;
 }
 

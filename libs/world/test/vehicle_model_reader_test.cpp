@@ -82,6 +82,19 @@ TEST(VehicleModelReader, TheBodyIsAMetreUnlessItIsGiven) {
   EXPECT_THAT(report(kHelicopter + "body_radius: 101\n"), HasSubstr("body_radius: "));
 }
 
+TEST(VehicleModelReader, FurtherFiguresHaveNamesOfTheirOwn) {
+  const auto model =
+      read_vehicle_model(kHelicopter + "abilities: {payload: 2.5, resolution: 640}\n", "bee.yaml");
+  ASSERT_TRUE(model) << to_text(model.error());
+  EXPECT_EQ(model->abilities,
+            (std::map<std::string, double>{{"payload", 2.5}, {"resolution", 640}}));
+  for (const char* name : {"hovering", "endurance", "visible-range"})
+    EXPECT_THAT(report(kHelicopter + "abilities: {" + name + ": 3}\n"),
+                HasSubstr("'" + std::string(name) + "' follows from the rest of the model"));
+  EXPECT_EQ(report(kHelicopter + "abilities: {ir-range: 3}\n"), "") << "it has no such sensor";
+  EXPECT_THAT(report(kHelicopter + "abilities: {payload: heavy}\n"), HasSubstr("payload"));
+}
+
 TEST(VehicleModelReader, ReadsThePilot) {
   const auto model = read_vehicle_model(
       kHelicopter +

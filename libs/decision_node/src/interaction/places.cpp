@@ -7,6 +7,7 @@
 #include "interaction/sightings.hpp"
 #include "path_query.hpp"
 #include "skein/foundation/joined.hpp"
+#include "skein/interaction/capabilities.hpp"
 #include "skein/interaction/describe.hpp"
 #include "skein/interaction/role_fit.hpp"
 #include "skein/negotiation/role_places.hpp"
@@ -228,23 +229,6 @@ std::vector<interaction::ActiveScm> scms_of(
 
 namespace {
 
-interaction::Capabilities capabilities_of(const world::VehicleModel& vehicle,
-                                          const world::VehicleState& state) {
-  interaction::Capabilities all;
-  if (vehicle.hovers) all["hovering"] = {};
-  all["relay"] = {};  // every node has the radio
-  all["radio"].values.insert("relay");
-  all["speed"].figure = vehicle.max_speed;
-  for (const world::SensorModel& sensor : vehicle.sensors) {
-    all["camera"].values.insert(sensor.device);
-  }
-  if (vehicle.energy.capacity > 0 && vehicle.energy.hover_power > 0) {
-    const double left = std::max(0.0, state.energy - vehicle.energy.reserve);
-    all["endurance"].figure = left * vehicle.energy.capacity / vehicle.energy.hover_power;
-  }
-  return all;
-}
-
 constexpr double kThere = 1;  // [m] it is there
 
 /// Goes along the nominal path of a role.
@@ -355,11 +339,8 @@ class Walk {
 /// What a role asks for that the vehicle has not; empty: nothing.
 std::string lacking(const Joint& joint, const std::string& role, const world::VehicleModel& vehicle,
                     const world::VehicleState& state) {
-  const auto missing = unmet(joint.library->roles.at(role), capabilities_of(vehicle, state));
-  if (missing.empty()) return "";
-  std::vector<std::string> all;
-  for (const interaction::Requirement& one : missing) all.push_back(describe(one));
-  return "it lacks " + joined(all, ", ");
+  return interaction::lacking(joint.library->roles.at(role).requirements,
+                              interaction::capabilities_of(vehicle, state.energy));
 }
 
 }  // namespace

@@ -267,13 +267,20 @@ void Team::carry_out(const auction::Tell& effect) {
   core_.bus().emit(SendTeam{std::move(to), effect.message});
 }
 
+// A sensor may have failed since it bid. Empty: it does.
+std::string Team::why_not_begin(const team::Order* order) const {
+  if (order == nullptr) return "it was not told what that is";
+  if (!bids_) return why_aside(core_.degree());
+  return lacks_now(order->needs, core_.config().knowledge->vehicle, telemetry_);
+}
+
 void Team::carry_out(const auction::BeginTask& effect) {
   const auto entry = member_->ledger().entries.find(effect.claim.task);
   const team::Order* order =
       entry == member_->ledger().entries.end() ? nullptr : team::order_of(entry->second.task);
-  if (order != nullptr && bids_) return begin(effect.claim, *order);
-  give(auction::TaskPutBack{effect.claim.task, order == nullptr ? "it was not told what that is"
-                                                                : why_aside(core_.degree())});
+  const std::string why = why_not_begin(order);
+  if (why.empty()) return begin(effect.claim, *order);
+  give(auction::TaskPutBack{effect.claim.task, why});
 }
 
 void Team::begin(const auction::Claim& claim, const team::Order& order) {
@@ -369,6 +376,7 @@ Vantage Team::vantage() {
     if (order == nullptr) continue;
     const mission::HighLevelTask task = as_bid_for(order->task, entry.task.least_members);
     vantage.tasks.emplace(number, task);
+    if (!order->needs.empty()) vantage.needs.emplace(number, order->needs);
     if (visits_.contains(number)) continue;
     const auto gates = supervisor::visits_of(task, vantage.knowledge, vantage.world, vantage.now);
     visits_[number] = gates.empty() ? std::nullopt : std::optional(gates.front());

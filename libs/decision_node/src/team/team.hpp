@@ -66,6 +66,7 @@ class Team final : public Component {
   void carry_out(const auction::SaleTold& effect);
   void carry_out(const auction::Offered& effect);
   void carry_out(const auction::Store&) {}  // the node's memory has it
+  std::string why_not_begin(const team::Order* order) const;
   void begin(const auction::Claim& claim, const team::Order& order);
   void put_back(const std::string& why, bool failed);
   void put_back_what_waits(const std::string& why);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "skein/foundation/joined.hpp"
+#include "skein/interaction/capabilities.hpp"
 #include "skein/mission/vocabulary.hpp"
 #include "skein/refiners/flight.hpp"
 
@@ -13,12 +14,26 @@ namespace {
 
 using world::Vector3;
 
+// With the sensors that work.
+world::VehicleModel as_it_is(world::VehicleModel vehicle, const world::Telemetry& telemetry) {
+  std::erase_if(vehicle.sensors, [&](const world::SensorModel& sensor) {
+    return std::ranges::count(telemetry.failed, sensor.device) > 0;
+  });
+  return vehicle;
+}
+
 // Over its landing place.
 Vector3 over_home(const supervisor::Knowledge& knowledge) {
   return knowledge.home + Vector3(0, 0, knowledge.altitude);
 }
 
 }  // namespace
+
+std::string lacks_now(const interaction::Requirements& needs, const world::VehicleModel& vehicle,
+                      const world::Telemetry& telemetry) {
+  return interaction::lacking(
+      needs, interaction::capabilities_of(as_it_is(vehicle, telemetry), telemetry.state.energy));
+}
 
 double TeamCraft::energy() const {
   const world::EnergyModel& model = at_.knowledge->vehicle.energy;
@@ -108,11 +123,11 @@ std::optional<std::string> TeamCraft::objection(const auction::Task& task) const
   }
   const auto order = at_.tasks.find(task.number);
   if (order == at_.tasks.end()) return "it was not told what that is";
-  world::VehicleModel vehicle = at_.knowledge->vehicle;
-  const auto& broken = at_.telemetry.failed;
-  std::erase_if(vehicle.sensors, [&](const world::SensorModel& sensor) {
-    return std::find(broken.begin(), broken.end(), sensor.device) != broken.end();
-  });
+  if (const auto needs = at_.needs.find(task.number); needs != at_.needs.end()) {
+    const auto lacks = lacks_now(needs->second, at_.knowledge->vehicle, at_.telemetry);
+    if (!lacks.empty()) return lacks;
+  }
+  const world::VehicleModel vehicle = as_it_is(at_.knowledge->vehicle, at_.telemetry);
   mission::Surroundings around;
   for (const auto& [name, place] : at_.world->places) around.places.push_back(name);
   for (const world::Zone& zone : at_.world->zones) around.zones.push_back(zone.name);

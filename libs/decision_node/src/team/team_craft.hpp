@@ -10,6 +10,7 @@
 
 #include "skein/auction/catalogue.hpp"
 #include "skein/auction/craft.hpp"
+#include "skein/interaction/requirement.hpp"
 #include "skein/mission/high_level_task.hpp"
 #include "skein/refiners/tour.hpp"
 #include "skein/supervisor/detours.hpp"
@@ -32,6 +33,7 @@ struct Vantage {
   Duration busy;  ///< until its own current tasks are over
   /// The work behind the ledger's tasks, and the places where the UAV would begin and end it.
   std::map<auction::TaskNumber, mission::HighLevelTask> tasks;
+  std::map<auction::TaskNumber, interaction::Requirements> needs = {};
   std::map<auction::TaskNumber, std::optional<refiners::Gate>> visits;
   /// The task that it is at, and how long its plan takes until what remains is the task itself.
   struct Begun {
@@ -44,6 +46,11 @@ struct Vantage {
   std::map<auction::TaskNumber, std::string> failed;
   Detours detours = {};
 };
+
+/// What the UAV lacks as it is now, with the sensors that work and the energy that is left; empty:
+/// nothing.
+std::string lacks_now(const interaction::Requirements& needs, const world::VehicleModel& vehicle,
+                      const world::Telemetry& telemetry);
 
 /// Estimates flights as straight lines between the places of tasks, at cruise speed in the wind,
 /// from the UAV's position and home again, and adds the detours that are known; the length of a

@@ -54,6 +54,24 @@ auction::Task task(std::uint32_t number) {
 
 Stopover to(std::uint32_t number) { return Stopover::of(TaskNumber(number)); }
 
+TEST(TeamCraft, DoesNotBidForWhatItLacksSomethingForAndSaysWhat) {
+  using interaction::Requirement;
+  const auto objection = [](const interaction::Requirements& needs, bool fails = false) {
+    Vantage at = vantage();
+    at.telemetry.state.energy = 0.5;
+    if (fails) at.telemetry.failed = {"camera"};
+    at.needs.emplace(TaskNumber(1), needs);
+    return TeamCraft(at).objection(task(1)).value_or("");
+  };
+  const auto endurance = [](double least) {
+    return Requirement{"endurance", Requirement::Bound{interaction::Relation::kAtLeast, least}};
+  };
+
+  EXPECT_EQ(objection({{"camera", "camera"}, endurance(4000)}), "");
+  EXPECT_EQ(objection({endurance(4001)}), "it lacks endurance ≥ 4001 (it has 4000)");
+  EXPECT_EQ(objection({{"camera", "camera"}}, true), "it lacks camera: camera");
+}
+
 // A sweep of 30 s in which it has 10 s to go before the 20 s of the task itself.
 TEST(TeamCraft, OfWhatItHasBegunItsPlanSaysWhatIsLeft) {
   Vantage at = vantage();

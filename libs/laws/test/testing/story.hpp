@@ -58,6 +58,12 @@ class Story {
     scenario_.ground.script.steps.push_back({"give", "", {}, {}, {std::move(send)}});
     return *this;
   }
+  /// Its model declares it.
+  Story& figure(const std::string& uav, const std::string& name, double value) {
+    for (scenario::UavSpec& one : scenario_.uavs)
+      if (one.name == uav) one.model.abilities[name] = value;
+    return *this;
+  }
   /// Of each link [bit/s].
   Story& capacity(double bits_per_second) {
     scenario_.radio.model.capacity = bits_per_second;

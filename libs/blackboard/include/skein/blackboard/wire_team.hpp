@@ -28,6 +28,31 @@ constexpr auto names_of(TeamStage) {
   return std::to_array<std::string_view>({"for-sale", "owned", "granted", "done", "unsold"});
 }
 
+enum class TeamNeedForm : std::uint32_t {
+  kNeedLess,
+  kNeedAtMost,
+  kNeedEqual,
+  kNeedAtLeast,
+  kNeedGreater,
+  kNeedValue,
+  kNeedAny,
+  kCount
+};
+constexpr auto names_of(TeamNeedForm) {
+  return std::to_array<std::string_view>({"need-less", "need-at-most", "need-equal",
+    "need-at-least", "need-greater", "need-value", "need-any"});
+}
+
+/// Of each member: skein/interaction/requirement.hpp.
+struct TeamNeed {
+  std::string capability;
+  TeamNeedForm form = TeamNeedForm::kNeedLess;
+  std::string value;  ///< kValue
+  double figure = 0;  ///< of a relation
+  bool operator==(const TeamNeed&) const = default;
+};
+SKEIN_WIRE_FIELDS(TeamNeed, capability, form, value, figure)
+
 /// A task on sale. Times in s: in the ledger from the epoch, in a sale from its beginning.
 struct TeamTask {
   std::uint32_t number = 0;
@@ -45,10 +70,11 @@ struct TeamTask {
   bool repeatable = false;
   std::vector<MissionTask> work;  ///< none (in sales) or one
   std::string asked_by;
+  std::vector<TeamNeed> needs_of_work;  ///< none in sales
   bool operator==(const TeamTask&) const = default;
 };
 SKEIN_WIRE_FIELDS(TeamTask, number, duration, needs, needs_each, least_members, earliest,
-    has_deadline, deadline, x, y, pinned, forbidden, repeatable, work, asked_by)
+    has_deadline, deadline, x, y, pinned, forbidden, repeatable, work, asked_by, needs_of_work)
 
 /// `first` ends before `after` begins.
 struct TeamPrecedence {

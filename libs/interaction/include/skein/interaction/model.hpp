@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "skein/interaction/automaton.hpp"
+#include "skein/interaction/requirement.hpp"
 
 namespace skein::interaction {
 
@@ -39,23 +40,6 @@ struct Parameter {
 };
 using Parameters = std::vector<Parameter>;
 const Parameter* find(const Parameters& parameters, std::string_view name);
-
-enum class Relation : std::uint8_t { kLess, kAtMost, kEqual, kAtLeast, kGreater };
-/// "<", "≤", "=", "≥", ">".
-std::string_view to_text(Relation relation);
-
-/// What a UAV must have to play a role: a capability (`hovering`), one with a value
-/// (`camera: visible`), or a figure (`endurance >= 900`). Source: T def. V.1.
-struct Requirement {
-  struct Bound {
-    Relation relation = Relation::kAtLeast;
-    double value = 0;
-    bool operator==(const Bound&) const = default;
-  };
-  std::string capability;
-  std::variant<std::monostate, std::string, Bound> value;
-  bool operator==(const Requirement&) const = default;
-};
 
 /// Source: T def. V.1.
 struct Role {

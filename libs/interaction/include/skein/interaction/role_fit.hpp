@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a UAV can play a role, the role's nominal path, and which variant a team can play.
+// A role's nominal path, and which variant a team can play.
 #pragma once
 
-#include <map>
-#include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "skein/interaction/model.hpp"
 
 namespace skein::interaction {
-
-/// A capability of a UAV: with values (`camera: visible`, `camera: ir`), with a figure
-/// (`endurance`), or neither.
-struct Capability {
-  std::set<std::string> values;
-  std::optional<double> figure;
-};
-using Capabilities = std::map<std::string, Capability>;
-
-/// All requirements of a role that the capabilities do not meet. Source: T def. V.1, V.3.2.
-std::vector<Requirement> unmet(const Role& role, const Capabilities& capabilities);
 
 /// A step of the nominal path: the tasks of a role if each ends successfully and there are no
 /// messages, hence no contingencies and no negotiations. Each task comes at most once: the path

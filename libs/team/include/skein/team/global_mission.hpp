@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "skein/auction/ledger.hpp"
+#include "skein/interaction/requirement.hpp"
 #include "skein/mission/vocabulary.hpp"
 #include "skein/team/roster.hpp"
 
@@ -19,8 +20,9 @@ inline constexpr std::string_view kMembers = "members";
 
 /// A high-level task to be allocated within the team.
 struct GlobalTask {
-  mission::HighLevelTask task;  ///< with an id unique among all global missions
-  std::uint32_t members = 1;    ///< more than one: a joint task, for a whole group or none
+  mission::HighLevelTask task;        ///< with an id unique among all global missions
+  std::uint32_t members = 1;          ///< more than one: a joint task, for a whole group or none
+  interaction::Requirements needs{};  ///< of each of its members
   /// Tasks of this mission that must be done before. Bounds on the time between the end of one of
   /// these and the beginning of each part of this one are in `task.after`.
   std::vector<mission::GoalId> after{};
@@ -47,10 +49,11 @@ std::vector<std::string> alarms_in(const mission::HighLevelTask& task);
 
 /// The work behind a task of the auction.
 struct Order : auction::Work {
-  Order(mission::HighLevelTask asked, std::string by)
-      : task(std::move(asked)), asked_by(std::move(by)) {}
+  Order(mission::HighLevelTask asked, std::string by, interaction::Requirements of_each = {})
+      : task(std::move(asked)), asked_by(std::move(by)), needs(std::move(of_each)) {}
   mission::HighLevelTask task;
   std::string asked_by;
+  interaction::Requirements needs;  ///< of each of its members
 };
 /// The bounds that the order of a task has on the time after the end of `first`.
 auction::Delay delay_after(auction::TaskNumber first, const mission::HighLevelTask& task);

@@ -2,6 +2,7 @@
 // Performance figures of vehicle types.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -74,6 +75,8 @@ struct VehicleModel {
   /// rates are those on the steepest slope.
   std::optional<GroundModel> ground;
   std::vector<SensorModel> sensors;
+  /// Further figures that tasks may ask for, by name (`payload`), in units that its users agree on.
+  std::map<std::string, double> abilities;
 
   bool operator==(const VehicleModel&) const = default;
 };

@@ -23,4 +23,8 @@ Result<VehicleModel, Diagnostics> read_vehicle_model(std::string_view text,
 /// something harmless is given in its place.
 VehicleModel read_vehicle_model(const config::Reader& reader);
 
+/// Adds the figures of a map to those that the model declares, or puts them in their place. What
+/// follows from the rest of a model cannot be declared.
+void read_abilities(const config::Reader& reader, VehicleModel& model);
+
 }  // namespace skein::world
