@@ -45,6 +45,7 @@ Premises premises_of(const Book& book, const Beliefs& beliefs, const std::set<Ta
   result.broken = beliefs.broken();
   result.next_id = book.next_id;
   if (!moves) result.position = beliefs.vehicle().position;
+  result.stays_within = kMovedAway + 2 * beliefs.model().orbit_radius;
   return result;
 }
 
@@ -76,7 +77,7 @@ bool hold(const Premises& then, const Premises& now, const Book& book) {
     return std::vector<TaskId>(ids.begin(), ids.end());
   };
   const bool moved =
-      then.position && now.position && (*then.position - *now.position).norm() > kMovedAway;
+      then.position && now.position && (*then.position - *now.position).norm() > then.stays_within;
   return all_done(then.standing, now.standing, book) &&
          all_done(listed(then.withdrawn), listed(now.withdrawn), book) && then.goals == now.goals &&
          then.added == now.added && then.world == now.world && then.broken == now.broken &&

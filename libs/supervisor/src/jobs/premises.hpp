@@ -22,6 +22,8 @@ struct Premises {
   std::set<std::string> broken;  ///< devices
   TaskId next_id;
   std::optional<world::Vector3> position;  ///< the vehicle's [m, ENU], if no standing task moves it
+  double stays_within = 0;  ///< [m] of that position while nothing moves it; on a circle if it
+                            ///< cannot hover
 };
 
 /// The premises of a job that plans all free goals and the goals of the tasks `withdrawn`, which

@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <memory>
+
 #include "testing/rooms.hpp"
 
 namespace skein::supervisor {
@@ -80,6 +82,24 @@ TEST(Premises, OfOneThatNothingMovesBreakWhenItIsMovedAway) {
   rooms.flies({24, 0, 40});
   EXPECT_TRUE(hold(then, premises_of(rooms.book, rooms.beliefs), rooms.book));
   rooms.flies({26, 0, 40});
+  EXPECT_FALSE(hold(then, premises_of(rooms.book, rooms.beliefs), rooms.book));
+}
+
+// Found over DDS, where a job takes its time: a plane that waited in the air for its plan was never
+// where the plan had begun, and the plan was made again 285 times.
+TEST(Premises, OfOneThatCirclesHoldAllAroundItsCircle) {
+  Config config = config_for_tests();
+  auto knowledge = std::make_shared<Knowledge>(*config.knowledge);
+  knowledge->vehicle.hovers = false;
+  knowledge->vehicle.orbit_radius = 40;
+  config.knowledge = knowledge;
+  Rooms rooms(config);
+  rooms.goals({701}).flies({0, 0, 40});
+  const Premises then = premises_of(rooms.book, rooms.beliefs);
+
+  rooms.flies({80, 0, 40});
+  EXPECT_TRUE(hold(then, premises_of(rooms.book, rooms.beliefs), rooms.book));
+  rooms.flies({110, 0, 40});
   EXPECT_FALSE(hold(then, premises_of(rooms.book, rooms.beliefs), rooms.book));
 }
 
