@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <random>
 
+#include "skein/blackboard/link_instance.hpp"
 #include "skein/node/roster.hpp"
 
 namespace skein::operate_tool {
@@ -78,8 +79,7 @@ void Station::take(const wire::Sample& sample) {
     clock_.update(*clock, node::Waker::steady_now());
     clock_heard_ = true;
   } else if (const auto* link = std::get_if<wire::LinkState>(&sample)) {
-    const bool is_of_one = link->from != 0 && link->to != 0;
-    if (is_of_one) boards_.links.insert_or_assign(link->header.instance, *link);
+    if (blackboard::is_of_one(*link)) boards_.links.insert_or_assign(link->header.instance, *link);
   } else if (const auto* ground = std::get_if<wire::GroundBoard>(&sample)) {
     boards_.ground = *ground;
   } else if (const auto* uav = std::get_if<wire::UavBoard>(&sample)) {

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "skein/blackboard/link_instance.hpp"
 #include "skein/journal/lines/radio.hpp"
 
 namespace skein::spy_tool {
@@ -24,8 +25,7 @@ void Links::hear(const wire::Sample& sample, Duration at) {
   if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample)) {
     hear_heartbeat(*heartbeat, at);
   } else if (const auto* state = std::get_if<wire::LinkState>(&sample)) {
-    const bool is_of_one = state->from != 0 && state->to != 0;
-    if (is_of_one) half(state->from, state->to).link.carried = state->up;
+    if (blackboard::is_of_one(*state)) half(state->from, state->to).link.carried = state->up;
   } else if (const auto* entry = std::get_if<wire::DirectoryEntry>(&sample)) {
     numbers_[entry->name] = entry->header.origin;
   } else if (const auto* board = std::get_if<wire::UavBoard>(&sample)) {

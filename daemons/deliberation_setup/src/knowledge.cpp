@@ -228,14 +228,13 @@ MissionTime begin_of(const ground_station::Trigger& when) {
   return time == nullptr ? MissionTime() : time->at;
 }
 
-team::Vehicles vehicles_of(const Scenario& scenario) {
+/// What a team can do.
+struct Means {
+  mission::Vocabulary vocabulary;
   team::Vehicles vehicles;
-  for (const UavSpec& uav : scenario.uavs)
-    if (scenario.team->roster.number_of(uav.name)) vehicles.emplace(uav.name, uav.model);
-  return vehicles;
-}
+};
 
-void check_global_missions(const Scenario& scenario, const mission::Vocabulary& vocabulary,
+void check_global_missions(const Scenario& scenario, const Means& means,
                            const std::vector<ground_station::Action>& actions, MissionTime begin,
                            Diagnostics& diagnostics) {
   const auto refuse = [&](mission::MissionId mission,
@@ -250,9 +249,10 @@ void check_global_missions(const Scenario& scenario, const mission::Vocabulary& 
     const auto* sent = std::get_if<ground_station::SendGlobalMission>(&action);
     if (sent == nullptr) continue;
     const team::GlobalMission& mission = sent->mission;
-    refuse(mission.id, team::conflicts_of(mission, scenario.team->roster, vocabulary,
-                                          scenario.uav_names(), begin));
-    refuse(mission.id, team::lacks_of(mission, vehicles_of(scenario)));
+    const team::Roster& roster = scenario.team->roster;
+    refuse(mission.id,
+           team::conflicts_of(mission, roster, means.vocabulary, scenario.uav_names(), begin));
+    refuse(mission.id, team::lacks_of(mission, roster, means.vehicles));
   }
 }
 
@@ -261,14 +261,16 @@ void check_global_missions(const Scenario& scenario, const mission::Vocabulary& 
 Diagnostics global_mission_problems(const Scenario& scenario) {
   Diagnostics diagnostics;
   if (!scenario.team || !scenario.planning) return diagnostics;
-  const auto vocabulary = vocabulary_of(scenario);
+  auto vocabulary = vocabulary_of(scenario);
   if (!vocabulary) return diagnostics;
+  Means means{std::move(*vocabulary), {}};
+  for (const UavSpec& uav : scenario.uavs) means.vehicles.emplace(uav.name, uav.model);
   const ground_station::Script& script = scenario.ground.script;
   for (const auto& step : script.steps) {
-    check_global_missions(scenario, *vocabulary, step.actions, begin_of(step.when), diagnostics);
+    check_global_missions(scenario, means, step.actions, begin_of(step.when), diagnostics);
   }
   for (const auto& one : script.operators) {
-    check_global_missions(scenario, *vocabulary, one.actions, begin_of(one.when), diagnostics);
+    check_global_missions(scenario, means, one.actions, begin_of(one.when), diagnostics);
   }
   return diagnostics;
 }

@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the holder of the token does to the ledger.
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "for_sale.hpp"
 #include "team_core.hpp"
 
 namespace skein::auction {
+
+namespace {
+
+/// What its end gives bounds to.
+std::vector<std::pair<TaskNumber, Delay>> bounded_after(const Ledger& ledger, TaskNumber first) {
+  std::vector<std::pair<TaskNumber, Delay>> all;
+  for (const Precedence& one : ledger.precedences)
+    if (one.first == first && one.delay.bounds() && ledger.entries.contains(one.then))
+      all.emplace_back(one.then, one.delay);
+  return all;
+}
+
+}  // namespace
 
 // The next revision; the one before stays as it was with whom has it.
 Ledger& TeamMember::Core::draft() {
@@ -89,26 +104,23 @@ void TeamMember::Core::admit(const GivenMission& mission) {
     effects_.emplace_back(SaleTold{Rejected{std::move(wrong)}});
     return;
   }
+  const auto bound = [&](Task& then) {
+    for (const Precedence& one : mission.lot.precedences) {
+      const auto first = next.entries.find(one.first);
+      const bool is_done = first != next.entries.end() && first->second.stage == Stage::kDone;
+      if (one.then == then.number && one.delay.bounds() && is_done)
+        bound_start(then, one.delay, task_ends_.of(first->second, now_));
+    }
+  };
   for (const Task& task : mission.lot.tasks) {
     LedgerEntry entry;
     entry.task = task;
+    bound(entry.task);
     entry.revision = next.revision;
     next.entries.emplace(task.number, std::move(entry));
   }
   next.precedences.insert(next.precedences.end(), mission.lot.precedences.begin(),
                           mission.lot.precedences.end());
-  for (const Precedence& one : mission.lot.precedences)
-    if (ledger().entries.contains(one.first)) bound_followers(one.first);
-}
-
-// When it ended says when they may begin.
-void TeamMember::Core::bound_followers(TaskNumber done) {
-  if (ledger().entries.at(done).stage != Stage::kDone) return;
-  const std::vector<Precedence> precedences = ledger().precedences;
-  for (const auto& [first, then, delay] : precedences) {
-    if (first != done || !delay.bounds() || !ledger().entries.contains(then)) continue;
-    bound_start(change(then).task, delay, task_ends_.of(ledger().entries.at(done), now_));
-  }
 }
 
 void TeamMember::Core::end_claims(MemberNumber member, const Status& status) {
@@ -124,7 +136,10 @@ void TeamMember::Core::end_claims(MemberNumber member, const Status& status) {
     LedgerEntry& changed = change(claim.task);
     (changed.*where).insert(member);
     settle(changed, why);
-    if (changed.stage == Stage::kDone) bound_followers(claim.task);
+    if (changed.stage != Stage::kDone) return;
+    const TaskEnd ended = task_ends_.of(changed, now_);
+    for (const auto& [then, delay] : bounded_after(ledger(), claim.task))
+      bound_start(change(then).task, delay, ended);
   };
   for (const DoneClaim& done : status.done) {
     task_ends_.said(member, done);
@@ -166,31 +181,17 @@ bool TeamMember::Core::may_begin(const LedgerEntry& entry) const {
 // To nobody more than it may have ahead: two that wait for each other in their routes get one after
 // the other.
 void TeamMember::Core::grant() {
-  const auto is_owned = [&](const Claim& claim) {
-    const LedgerEntry& entry = ledger().entries.at(claim.task);
-    return entry.sale == claim.sale && entry.stage == Stage::kOwned;
-  };
-  std::erase_if(kept_back_, [&](const auto& kept) { return !is_owned(kept.first); });
+  kept_back_.forget_others_than_owned(ledger());
   GrantLoad load(ledger(), setup_.limits.ahead);
   std::vector<TaskNumber> granted;
   for (const auto& [task, entry] : ledger().entries) {
     if (entry.stage != Stage::kOwned || !entry.stopped.empty() || !may_begin(entry)) continue;
-    if (load.any_full(entry.owners) || !is_time_for(entry, load)) continue;
+    if (load.any_full(entry.owners)) continue;
+    if (!kept_back_.lets_go(entry, load, now_, setup_.limits.lease)) continue;
     load.add(entry);
     granted.push_back(task);
   }
   for (const TaskNumber task : granted) change(task).stage = Stage::kGranted;
-}
-
-// Who is to follow it in time is free. Routes that wait for each other, and what nobody buys, do
-// not count for longer than a lease.
-bool TeamMember::Core::is_time_for(const LedgerEntry& entry, const GrantLoad& load) {
-  const Claim claim{entry.task.number, entry.sale};
-  const auto kept = kept_back_.find(claim);
-  const bool waited = kept != kept_back_.end() && now_ - kept->second > setup_.limits.lease;
-  const bool is_time = load.may_be_followed(entry.task.number, !waited);
-  if (!is_time) kept_back_.emplace(claim, now_);
-  return is_time;
 }
 
 // What silent members were not granted; what they were, if it may be done twice or they are lost.

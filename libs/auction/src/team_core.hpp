@@ -8,8 +8,8 @@
 #include <set>
 #include <vector>
 
-#include "grant_load.hpp"
 #include "held_sale.hpp"
+#include "kept_back.hpp"
 #include "own_work.hpp"
 #include "skein/auction/bidder.hpp"
 #include "skein/auction/team_member.hpp"
@@ -79,9 +79,7 @@ class TeamMember::Core {
   void admit(const GivenMission& mission);
   void end_claims(MemberNumber member, const Status& status);
   void settle(LedgerEntry& entry, const std::string& why);
-  void bound_followers(TaskNumber done);
   void grant();
-  bool is_time_for(const LedgerEntry& entry, const GrantLoad& load);
   bool may_begin(const LedgerEntry& entry) const;
   void resell();
   LedgerEntry& change(TaskNumber task);
@@ -132,7 +130,7 @@ class TeamMember::Core {
   std::deque<ToMember> own_calls_;                    ///< from the own auctioneer to this member
   std::map<MemberNumber, std::vector<Claim>> wants_;  ///< last claims of each member
   TaskEnds task_ends_;
-  std::map<Claim, MissionTime> kept_back_;  ///< since when, for who is to follow them in time
+  KeptBack kept_back_;
   std::set<MemberNumber> declared_lost_;
   bool stored_ = false, started_ = false, bids_ = true;
   TeamEffects effects_;

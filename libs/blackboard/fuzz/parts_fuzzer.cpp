@@ -60,12 +60,6 @@ skein::wire::HandOver event_of(std::uint64_t number) {
   return event;
 }
 
-std::vector<std::uint8_t> in_cdr(const skein::wire::Sample& event) {
-  std::vector<std::uint8_t> bytes(encoded_size(event));
-  demand(encode(event, bytes) == bytes.size());
-  return bytes;
-}
-
 Part fair(Draw& draw, std::uint32_t there) {
   Part part;
   part.header.incarnation = 1 + draw.byte() % 3;

@@ -143,7 +143,8 @@ void Blackboard::Impl::stamp(wire::SampleHeader& header, NodeNumber to, std::uin
                              Now now) const {
   header.origin = config_.self.value();
   header.destination = to.value();
-  header.incarnation = incarnation_for(to);
+  const auto found = config_.guesses_incarnation ? peers_.find(to) : peers_.end();
+  header.incarnation = found == peers_.end() ? incarnation_ : found->second.self_incarnation();
   header.sequence_number = sequence;
   header.mission_time = now.mission.count();
   header.expires = wire::kNever;
@@ -188,15 +189,15 @@ void Blackboard::Impl::address(wire::Sample& event, const Peer& peer, MissionTim
 
 void Blackboard::Impl::write_due_events(Peer& peer, Now now) {
   const NodeNumber to = peer.channels().number;
-  if (is_relayed(to)) {
-    for (const wire::Sample* event : peer.take_due_events(now)) send_on(to, *event, now);
-    write_parts(peer, now);
-  } else if (peer.limited() != nullptr) {
-    write_in_turn(peer, now);
-  } else {
-    for (const wire::Sample* event : peer.take_due_events(now))
-      write(peer.channels().outgoing, *event);
-    write_parts(peer, now);
+  const bool relayed = is_relayed(to);
+  if (!relayed && peer.limited() != nullptr) return write_in_turn(peer, now);
+  const auto write_one = [&](const wire::Sample& sample) {
+    relayed ? send_on(to, sample, now) : write(peer.channels().outgoing, sample);
+  };
+  for (const wire::Sample* event : peer.take_due_events(now)) write_one(*event);
+  while (auto part = peer.take_part(now)) {
+    stamp(part->header, to, ++sequence_, now);
+    write_one(*part);
   }
 }
 
@@ -265,12 +266,15 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
       connections_.set_up(peer.channels().outgoing, false, now.steady, out_);
     }
     const bool takes_turns = condition.up && condition.capacity > 0;
-    if (peer.limited() != nullptr && !takes_turns) let_go(peer, condition.up);
+    const auto let_go = [&](bool up) {
+      for (const wire::Sample& state : peer.let_go(up)) write(peer.channels().outgoing, state);
+    };
+    if (peer.limited() != nullptr && !takes_turns) let_go(condition.up);
     peer.set_outgoing(condition, now);
     if (changes && condition.up) {
       connections_.set_up(peer.channels().outgoing, true, now.steady, out_);
     }
-    if (condition.up && peer.limited() == nullptr) let_go(peer, true);
+    if (condition.up && peer.limited() == nullptr) let_go(true);
     serve(peer, now);
   } else {
     const bool changes = condition.up != peer.incoming_condition().up;
@@ -280,10 +284,6 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
     if (changes) connections_.set_up(peer.channels().incoming, condition.up, now.steady, out_);
     plan(peer);
   }
-}
-
-void Blackboard::Impl::let_go(Peer& peer, bool up) {
-  for (const wire::Sample& state : peer.let_go(up)) write(peer.channels().outgoing, state);
 }
 
 std::vector<Incoming> Blackboard::Impl::receive(Now now) {

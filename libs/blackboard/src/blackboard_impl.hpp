@@ -71,10 +71,8 @@ class Blackboard::Impl {
   void admit_from_peer(std::size_t channel, Peer& peer, wire::Sample&& sample, Now now);
   void admit_heartbeat(std::size_t channel, Peer& peer, const wire::Heartbeat& heartbeat, Now now);
   void admit_part(std::size_t channel, Peer& peer, const wire::Part& part, Now now);
-  void admit_long_event(Peer& peer, const wire::Part& part, wire::Sample event, Now now);
   Result<std::uint64_t, Refusal> send_event(Peer& peer, wire::Sample event, Now now,
                                             SendOptions options);
-  void write_parts(Peer& peer, Now now);
   void refuse(wire::Slot slot, const wire::SampleHeader& header, const wire::Violation& violation);
   void refuse_event(std::size_t channel, wire::Slot slot, const wire::SampleHeader& header,
                     Now now);
@@ -82,8 +80,6 @@ class Blackboard::Impl {
   void write_due_events(Peer& peer, Now now);
   /// On a limited channel, as long as it is free.
   void write_in_turn(Peer& peer, Now now);
-  /// Writes the states that wait for room in the channel.
-  void let_go(Peer& peer, bool up);
   /// Notes that samples of the peer's session came, which count as handled from the next step on.
   void hear(Peer& peer);
   /// Something new came over that channel: whoever said it is there, if it was its own.
@@ -94,7 +90,6 @@ class Blackboard::Impl {
   void become(Peer& peer, std::uint64_t incarnation, Now now);
   /// Refuses a sample that was replayed, unless it may have overtaken others on its way.
   void note_replay(std::size_t channel, wire::Slot slot, const wire::SampleHeader& header);
-  std::uint64_t incarnation_for(NodeNumber to) const;
 
   // Relaying (blackboard_relaying.cpp).
 

@@ -8,11 +8,6 @@
 
 namespace skein::blackboard {
 
-std::uint64_t Blackboard::Impl::incarnation_for(NodeNumber to) const {
-  const auto found = config_.guesses_incarnation ? peers_.find(to) : peers_.end();
-  return found == peers_.end() ? incarnation_ : found->second.self_incarnation();
-}
-
 void Blackboard::Impl::compare_lives(Peer& peer, const wire::Heartbeat& heartbeat, Now now) {
   if (heartbeat.header.incarnation < peer.incarnation()) {
     if (peer.lives().is_former(heartbeat.header.incarnation)) return;
@@ -65,7 +60,7 @@ void Blackboard::Impl::become(Peer& peer, std::uint64_t incarnation, Now now) {
     const NodeNumber to = std::get<NodeNumber>(key);
     if (to != number && !(world_too && to == kEverybody)) continue;
     wire::Sample state = kept;
-    wire::header_of(state).incarnation = incarnation_for(to);
+    wire::header_of(state).incarnation = to == number ? incarnation : incarnation_;
     wire::header_of(state).sequence_number = ++sequence_;
     if (to == number) {
       send_value(peer, std::move(state), now);

@@ -21,19 +21,15 @@ std::optional<wire::Violation> long_event_violation(const ChannelConfig& channel
   return wire::Violation{"header.origin", "has nothing of its own to say in this slot"};
 }
 
-}  // namespace
-
-void Blackboard::Impl::write_parts(Peer& peer, Now now) {
-  const NodeNumber to = peer.channels().number;
-  while (auto part = peer.take_part(now)) {
-    stamp(part->header, to, ++sequence_, now);
-    if (is_relayed(to)) {
-      send_on(to, std::move(*part), now);
-    } else {
-      write(peer.channels().outgoing, *part);
-    }
-  }
+Incoming received_or_expired(wire::Sample event, ChannelKind kind, MissionTime now) {
+  const wire::SampleHeader header = wire::header_of(event);
+  if (header.expires < now.count())
+    return EventExpired{wire::slot_of(event), NodeNumber(header.origin),
+                        NodeNumber(header.destination), header.sequence_number, header.incarnation};
+  return Received{NodeNumber(header.origin), kind, std::move(event)};
 }
+
+}  // namespace
 
 // A state is as if it had come whole over that channel.
 void Blackboard::Impl::admit_part(std::size_t channel, Peer& peer, const wire::Part& part,
@@ -45,25 +41,14 @@ void Blackboard::Impl::admit_part(std::size_t channel, Peer& peer, const wire::P
   if (malformed != nullptr) return refuse(malformed->slot, part.header, malformed->violation);
   auto& sample = std::get<wire::Sample>(*whole);
   const wire::Slot slot = wire::slot_of(sample);
-  if (wire::slot_class(slot) == wire::SlotClass::kEvent)
-    return admit_long_event(peer, part, std::move(sample), now);
-  freshness_.note_parts(slot, wire::header_of(sample));
-  admit(channel, std::move(sample), now);
-}
-
-void Blackboard::Impl::admit_long_event(Peer& peer, const wire::Part& part, wire::Sample sample,
-                                        Now now) {
-  const wire::SampleHeader header = wire::header_of(sample);
-  const wire::Slot slot = wire::slot_of(sample);
+  if (wire::slot_class(slot) == wire::SlotClass::kState) {
+    freshness_.note_parts(slot, wire::header_of(sample));
+    return admit(channel, std::move(sample), now);
+  }
   if (const auto violation =
           long_event_violation(config_.channels[peer.channels().incoming], part, sample))
     return refuse(slot, part.header, *violation);
-  if (header.expires < now.mission.count()) {
-    out_.emplace_back(EventExpired{slot, NodeNumber(header.origin), NodeNumber(header.destination),
-                                   header.sequence_number, header.incarnation});
-    return;
-  }
-  out_.emplace_back(Received{NodeNumber(header.origin), peer.channels().kind, std::move(sample)});
+  out_.push_back(received_or_expired(std::move(sample), peer.channels().kind, now.mission));
 }
 
 }  // namespace skein::blackboard

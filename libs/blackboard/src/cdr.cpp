@@ -171,6 +171,13 @@ std::size_t encode(const wire::Sample& sample, std::span<std::uint8_t> out) {
   return kEncapsulation + writer.used();
 }
 
+std::vector<std::uint8_t> in_cdr(const wire::Sample& sample) {
+  std::vector<std::uint8_t> bytes(encoded_size(sample));
+  const std::size_t used = encode(sample, bytes);
+  SKEIN_ENSURES(used == bytes.size());
+  return bytes;
+}
+
 std::variant<wire::Sample, Malformed> decode(wire::Slot slot, std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kEncapsulation || bytes[0] != 0 || bytes[1] > 1) {
     return Malformed{slot, {}, {"", "not CDR version 1"}};

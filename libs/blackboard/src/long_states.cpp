@@ -9,10 +9,11 @@
 namespace skein::blackboard {
 namespace {
 
-bool is_of_same_state(const wire::Sample& one, const wire::Sample& other) {
-  const wire::SampleHeader &a = wire::header_of(one), &b = wire::header_of(other);
-  return wire::slot_of(one) == wire::slot_of(other) && a.origin == b.origin &&
-         a.destination == b.destination && a.instance == b.instance;
+/// With what carries it on a channel.
+std::size_t channel_bytes_of_part(std::size_t content) {
+  wire::Part part;
+  part.content.resize(content);
+  return channel_bytes(part);
 }
 
 bool is_from(const wire::Sample& sample, std::uint32_t origin) {
@@ -23,8 +24,7 @@ bool is_from(const wire::Sample& sample, std::uint32_t origin) {
 
 bool LongStates::put(wire::Sample state) {
   told_.drop(state);
-  const bool replaces =
-      under_way_ && written_ <= 1 && !was_replaced_ && is_of_same_state(*under_way_, state);
+  const bool replaces = written_ <= 1 && !was_replaced_ && is_under_way(state);
   if (replaces) end_current();
   was_replaced_ = was_replaced_ || replaces;
   return waiting_.put(std::move(state)) || replaces;
@@ -32,8 +32,12 @@ bool LongStates::put(wire::Sample state) {
 
 bool LongStates::drop(const wire::Sample& newer) {
   told_.drop(newer);
-  if (under_way_ && is_of_same_state(*under_way_, newer)) end_current();
+  if (is_under_way(newer)) end_current();
   return waiting_.drop(newer);
+}
+
+bool LongStates::is_under_way(const wire::Sample& like) const {
+  return under_way_ && WaitingValues::are_alike(*under_way_, like);
 }
 
 void LongStates::end_current() {
@@ -60,8 +64,7 @@ std::vector<wire::Sample> LongStates::let_go() {
 
 void LongStates::begin_again() {
   for (wire::Sample& state : told_.take(wire::SlotClass::kState)) {
-    const bool is_older = under_way_ && is_of_same_state(*under_way_, state);
-    if (!is_older && !waiting_.has(state)) waiting_.put(std::move(state));
+    if (!is_under_way(state) && !waiting_.has(state)) waiting_.put(std::move(state));
   }
   parts_.resend();
 }
@@ -80,14 +83,14 @@ std::vector<std::pair<wire::Slot, std::size_t>> LongStates::due(Duration now,
   std::vector<std::pair<wire::Slot, std::size_t>> all;
   if (under_way_) {
     if (const auto part = parts_.next(now, most_bytes, round_trip))
-      all.emplace_back(wire::slot_of(*under_way_), part->content.size());
+      all.emplace_back(wire::slot_of(*under_way_), channel_bytes_of_part(part->content.size()));
     return all;
   }
   for (std::size_t i = 0; i < wire::kSlotCount; ++i) {
     const wire::Sample* first = waiting_.first(static_cast<wire::Slot>(i));
     if (first == nullptr) continue;
-    all.emplace_back(static_cast<wire::Slot>(i),
-                     std::min<std::size_t>(most_bytes, encoded_size(*first)));
+    const std::size_t content = std::min<std::size_t>(most_bytes, encoded_size(*first));
+    all.emplace_back(static_cast<wire::Slot>(i), channel_bytes_of_part(content));
   }
   return all;
 }

@@ -37,9 +37,8 @@ class LongStates {
   /// The peer has all states before `number`, and this many bytes of that one.
   void heard(std::uint64_t number, std::uint32_t bytes);
 
-  bool empty() const { return !under_way_ && waiting_.empty(); }
-  /// What may go now, in each slot: bytes of the next part's content; one of the state under way,
-  /// or, if there is none, the first of any that waits.
+  /// What may go now, in each slot: bytes that the next part takes on a channel; one of the state
+  /// under way, or, if there is none, the first of any that waits.
   std::vector<std::pair<wire::Slot, std::size_t>> due(Duration now, std::uint32_t most_bytes,
                                                       Duration round_trip) const;
   /// The next part of the slot whose turn it is, without header; its transmission ends at `until`
@@ -50,6 +49,7 @@ class LongStates {
   std::optional<Duration> next_due(std::uint32_t most_bytes, Duration round_trip) const;
 
  private:
+  bool is_under_way(const wire::Sample& like) const;
   void end_current();
 
   WaitingValues waiting_;

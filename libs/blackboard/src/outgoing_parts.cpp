@@ -9,15 +9,6 @@
 #include "skein/foundation/contract.hpp"
 
 namespace skein::blackboard {
-namespace {
-
-std::vector<std::uint8_t> in_cdr(const wire::Sample& sample) {
-  std::vector<std::uint8_t> bytes(encoded_size(sample));
-  bytes.resize(encode(sample, bytes));
-  return bytes;
-}
-
-}  // namespace
 
 void OutgoingParts::hold(const wire::Sample& sample, std::uint64_t receipt) {
   const wire::SampleHeader& header = wire::header_of(sample);

@@ -296,14 +296,11 @@ std::uint32_t Peer::bytes_of_a_part() const {
       std::clamp(limited_->capacity() / kBitsPerByte / kPartsASecond, kShortestPart, kLongestPart));
 }
 
-bool Peer::is_long_state(const wire::Sample& value) const {
-  return limited_ && wire::slot_class(wire::slot_of(value)) == wire::SlotClass::kState &&
-         config_->channels[channels_.outgoing].carries(wire::Slot::kPart) &&
-         channel_bytes(value) > kPartsOfALongState * bytes_of_a_part();
-}
-
 void Peer::put(wire::Sample value) {
-  if (is_long_state(value)) {
+  const bool is_long_state = wire::slot_class(wire::slot_of(value)) == wire::SlotClass::kState &&
+                             config_->channels[channels_.outgoing].carries(wire::Slot::kPart) &&
+                             channel_bytes(value) > kPartsOfALongState * bytes_of_a_part();
+  if (is_long_state) {
     limited_->drop(value);
     if (session().long_states.put(std::move(value))) limited_->shed_one();
     return;
@@ -363,17 +360,6 @@ void Peer::part_written(const wire::Part& part, Duration until) {
   if (part.number >= kFirstLongEvent) session().parts_out.written(part, until);
 }
 
-std::vector<std::pair<wire::Slot, std::size_t>> Peer::due_of_states(Now now) const {
-  if (!sends_state_parts()) return {};
-  auto due = session_->long_states.due(now.steady, bytes_of_a_part(), round_trip());
-  for (auto& [slot, bytes] : due) {
-    wire::Part part;
-    part.content.resize(bytes);
-    bytes = channel_bytes(part);
-  }
-  return due;
-}
-
 wire::Part Peer::take_state_part(wire::Slot slot, Now now, Duration until) {
   wire::Part part =
       session_->long_states.take(slot, bytes_of_a_part(), now.steady, round_trip(), until);
@@ -389,7 +375,7 @@ std::optional<wire::Part> Peer::take_part(Now now) {
 }
 
 std::optional<wire::Sample> Peer::take_next(Now now) {
-  if (!limited_ || !out_condition_.up) return std::nullopt;
+  if (!limited_ || !out_condition_.up || now.steady < limited_->free_at()) return std::nullopt;
   const bool has_own = !recalled_ && relays_ == 0;
   const wire::Sample* own = has_own ? known().outgoing.first_due(now, round_trip()) : nullptr;
   const wire::Sample* passing = limited_->first_passing();
@@ -397,7 +383,9 @@ std::optional<wire::Sample> Peer::take_next(Now now) {
   const wire::Sample* event = passes ? passing : own;
   std::optional<wire::Sample> part;
   if (relays_ == 0) part = due_part(now);
-  LimitedChannel::Waiting first{.long_states = due_of_states(now)};
+  LimitedChannel::Waiting first;
+  if (sends_state_parts())
+    first.long_states = session_->long_states.due(now.steady, bytes_of_a_part(), round_trip());
   if (heartbeat_due(now.steady)) first.heartbeat = heartbeat_bytes();
   if (event != nullptr) first.event = channel_bytes(*event);
   if (part) first.part = channel_bytes(*part);

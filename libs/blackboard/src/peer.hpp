@@ -75,8 +75,6 @@ class Peer {
   const OutgoingParts& outgoing_parts() const { return known().parts_out; }
   /// Whether the event is sent in parts; the same in every life.
   bool is_long(const wire::Sample& event) const;
-  /// Whether the state goes in parts over the channel as it is now.
-  bool is_long_state(const wire::Sample& value) const;
   /// Whether there is room to hold the event until it is acknowledged.
   bool has_room_for(const wire::Sample& event) const;
   /// The sequence number that the header of the event must carry for hold().
@@ -172,8 +170,6 @@ class Peer {
   void part_written(const wire::Part& part, Duration until);
   /// The next part of a long state, without header; counts as written.
   wire::Part take_state_part(wire::Slot slot, Now now, Duration until);
-  /// What may go of long states now, on the channel: bytes by slot.
-  std::vector<std::pair<wire::Slot, std::size_t>> due_of_states(Now now) const;
   std::uint32_t bytes_of_a_part() const;
   /// Parts are sent only while there is contact in both directions.
   bool sends_parts() const { return can_send() && reachable_ && is_heard_ && !recalled_; }

@@ -24,6 +24,10 @@ class WaitingValues {
   /// Removes the value of the same slot and instance; false if there is none.
   bool drop(const wire::Sample& like);
   bool has(const wire::Sample& like) const { return values_.contains(key_of(like)); }
+  /// Whether the one takes the place of the other.
+  static bool are_alike(const wire::Sample& one, const wire::Sample& other) {
+    return key_of(one) == key_of(other);
+  }
   bool empty() const { return values_.empty(); }
   /// The next value of a slot; null if none waits. Valid until the next call of another function.
   const wire::Sample* first(wire::Slot slot) const;

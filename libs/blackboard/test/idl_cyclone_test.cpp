@@ -64,8 +64,7 @@ void expect_conformance(const dds_topic_descriptor_t& descriptor) {
   for (int i = 0; i < 100; ++i) {
     const T value = random_value<T>(random);
     const wire::Sample sample = value;
-    Bytes bytes(encoded_size(sample));
-    encode(sample, bytes);
+    Bytes bytes = in_cdr(sample);
     const auto size = static_cast<std::uint32_t>(bytes.size() - kEncapsulation);
     C image{};
     dds_istream_t in;

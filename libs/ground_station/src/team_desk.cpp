@@ -47,7 +47,7 @@ void TeamDesk::accept(const GiveGlobalMission& given, MissionTime now, Effects& 
     const mission::Surroundings around{knowledge_.places, knowledge_.zones, uavs_, nullptr};
     const mission::Vocabulary vocabulary = knowledge_.vocabulary.value_or(mission::Vocabulary());
     problems = problems_of(mission, roster_, vocabulary, around, now);
-    for (team::Conflict& one : team::lacks_of(mission, vehicles()))
+    for (team::Conflict& one : team::lacks_of(mission, roster_, knowledge_.vehicles))
       problems.push_back(std::move(one.sentence));
     for (const team::GlobalTask& task : mission.tasks) {
       if (!tasks_.contains(task.task.id)) continue;
@@ -81,14 +81,6 @@ void TeamDesk::accept(const GiveGlobalMission& given, MissionTime now, Effects& 
                                       0,
                                       "waits at the ground station for an alarm"}});
   }
-}
-
-// Of those of the team.
-team::Vehicles TeamDesk::vehicles() const {
-  team::Vehicles vehicles;
-  for (const auto& [uav, vehicle] : knowledge_.vehicles)
-    if (roster_.number_of(uav)) vehicles.emplace(uav, vehicle);
-  return vehicles;
 }
 
 void TeamDesk::accept(const PlaceKnown& known, MissionTime now, Effects& out) {

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "narrowest.hpp"
 #include "skein/journal/hand_on.hpp"
 #include "skein/journal/lines/radio.hpp"
 #include "skein/journal/lines/truth.hpp"
@@ -238,18 +239,11 @@ class Judge {
   std::vector<std::string> breaches_;
 };
 
-}  // namespace
-
-namespace {
-
 /// Of one, and as much again of what shares the narrowest channel with it.
 Duration airtime_of_an_event(const scenario::RadioSpec& radio) {
   constexpr double kEvent = 8.0 * 2 * 300;  // [bit] with its frame
-  double least = radio.model.capacity;
-  for (const scenario::LinkSpec& link : radio.links)
-    if (link.capacity.value_or(0) > 0 && (least == 0 || *link.capacity < least))
-      least = *link.capacity;
-  return least > 0 ? Duration::seconds(kEvent / least) : Duration();
+  const auto least = narrowest(radio);
+  return least ? Duration::seconds(kEvent / *least) : Duration();
 }
 
 }  // namespace

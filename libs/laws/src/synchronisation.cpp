@@ -5,6 +5,7 @@
 #include <set>
 
 #include "checks.hpp"
+#include "narrowest.hpp"
 #include "statement.hpp"
 
 namespace skein::laws {
@@ -167,10 +168,7 @@ double on_the_air(const scenario::RadioSpec& radio, std::uint64_t arcs) {
   constexpr double kUsual = 2'500;              // [byte] a network of some twenty tasks, told whole
   constexpr double kArc = 32, kCarrying = 1.5;  // [byte]; of what goes in parts
   const double bytes = std::max(kUsual, static_cast<double>(arcs) * kArc * kCarrying);
-  double least = radio.model.capacity > 0 ? radio.model.capacity : kNever;
-  for (const scenario::LinkSpec& link : radio.links)
-    if (link.capacity.value_or(0) > 0) least = std::min(least, *link.capacity);
-  return 8.0 * 2 * bytes / least;
+  return 8.0 * 2 * bytes / narrowest(radio).value_or(kNever);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who does a task of the team has what the operator said that it needs.
-#include <algorithm>
-
 #include "checks.hpp"
 #include "scripted.hpp"
 #include "skein/interaction/capabilities.hpp"
@@ -24,10 +22,8 @@ std::vector<Violation> team_abilities_lacking(const History& history) {
     const auto told = history.team.tasks.find(number);
     if (task.needs.empty() || told == history.team.tasks.end()) return;
     for (const TeamWork& work : told->second.works) {
-      const auto& uavs = history.scenario->uavs;
-      const auto uav = std::find_if(uavs.begin(), uavs.end(),
-                                    [&](const auto& one) { return one.name == work.uav; });
-      if (uav == uavs.end()) continue;
+      const scenario::UavSpec* uav = history.scenario->find_uav(work.uav);
+      if (uav == nullptr) continue;
       const std::string lacks = interaction::lacking(task.needs, at_best(*uav));
       if (lacks.empty()) continue;
       result.push_back({"", work.begun, work.uav, work.goal,

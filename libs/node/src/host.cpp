@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "recollection.hpp"
+#include "skein/blackboard/link_instance.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/journal/lines/mission.hpp"
@@ -434,8 +435,7 @@ void Host::apply_links(const std::vector<blackboard::Incoming>& incoming, Now no
     if (received == nullptr) continue;
     const auto* link = std::get_if<wire::LinkState>(&received->sample);
     if (link == nullptr) continue;
-    const bool is_of_one = link->from != 0 && link->to != 0;
-    is_of_one ? apply(*link, now) : apply_to_others(*link, now);
+    blackboard::is_of_one(*link) ? apply(*link, now) : apply_to_others(*link, now);
   }
 }
 

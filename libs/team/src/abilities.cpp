@@ -19,18 +19,24 @@ std::string why_not(const GlobalTask& task, const std::string& uav,
 
 }  // namespace
 
-std::vector<Conflict> lacks_of(const GlobalMission& mission, const Vehicles& vehicles) {
+std::vector<Conflict> lacks_of(const GlobalMission& mission, const Roster& roster,
+                               const Vehicles& vehicles) {
   std::vector<Conflict> conflicts;
   for (const GlobalTask& task : mission.tasks) {
     if (task.needs.empty()) continue;
     std::vector<std::string> reasons;
+    std::size_t can = 0;
     bool is_pinned_there = !task.by;
     for (const auto& [uav, vehicle] : vehicles) {
+      if (!roster.number_of(uav)) continue;
       const std::string why = why_not(task, uav, vehicle);
-      if (!why.empty()) reasons.push_back(uav + ": " + why);
-      if (why.empty() && task.by == uav) is_pinned_there = true;
+      if (!why.empty()) {
+        reasons.push_back(uav + ": " + why);
+        continue;
+      }
+      ++can;
+      is_pinned_there = is_pinned_there || task.by == uav;
     }
-    const std::size_t can = vehicles.size() - reasons.size();
     if (can >= task.members && is_pinned_there) continue;
     const std::string who =
         task.members == 1

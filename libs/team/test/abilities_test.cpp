@@ -23,12 +23,14 @@ struct Abilities : ::testing::Test {
     using interaction::Requirement;
     task.needs = {{"payload", Requirement::Bound{interaction::Relation::kAtLeast, least}}};
     std::vector<std::string> sentences;
-    for (const Conflict& one : lacks_of({mission::MissionId(1), {task}, "script"}, vehicles)) {
+    for (const Conflict& one :
+         lacks_of({mission::MissionId(1), {task}, "script"}, roster, vehicles)) {
       EXPECT_EQ(one.task, mission::GoalId(12));
       sentences.push_back(one.sentence);
     }
     return sentences;
   }
+  Roster roster{{"marvin", "heliv", "karma"}};
   Vehicles vehicles;
   GlobalTask task;
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "skein/blackboard/link_instance.hpp"
 #include "skein/foundation/contract.hpp"
 
 namespace skein::blackboard {
@@ -24,7 +25,7 @@ bool partitions_match(const std::string& writer, const std::string& reader) {
 /// The nodes that a sample of the world is about, if it is about two only.
 std::optional<std::array<NodeNumber, 2>> pair_of(ChannelKind kind, const wire::Sample& sample) {
   const auto* link = std::get_if<wire::LinkState>(&sample);
-  if (link == nullptr || kind != ChannelKind::kWorld || link->from == 0) return std::nullopt;
+  if (link == nullptr || kind != ChannelKind::kWorld || !is_of_one(*link)) return std::nullopt;
   return std::array{NodeNumber(link->from), NodeNumber(link->to)};
 }
 

@@ -88,6 +88,14 @@ bool is_in_closed_air(const world::Vector3& place, const world::VehicleModel& mo
   });
 }
 
+/// Whether who waits there stays in closed air, or where others are to take off or land (who is to
+/// land there goes first), and how long it does so.
+std::optional<Duration> patience_at(const world::Vector3& place, const merging::Merger& merger,
+                                    const MergingConfig& config, const AirwaySituation& situation) {
+  if (is_in_closed_air(place, config.model, situation)) return kLeavesClosedAir;
+  return is_over_a_pad(merger, *config.terrain) ? std::optional(kLeavesPad) : std::nullopt;
+}
+
 bool is_aborting(const executive::TaskStatus& task) {
   return task.state == executive::TaskState::kAborting;
 }
@@ -139,20 +147,14 @@ void Merging::look_for_room() {
   want(std::move(aside));
 }
 
-/// It waits itself, for somebody who is in no circle with it, and stays in closed air, or where
-/// others are to take off or land (who is to land there goes first).
-std::optional<Duration> Merging::leaves_after() const {
+/// It waits itself, for somebody who is in no circle with it: it gets out of the way as if there
+/// were a circle.
+void Merging::leave_place() {
   const bool could = !waiting_->airways.empty() && !waiting_->aside_since &&
                      !waiting_->comes_back && waiting_->request.type != "land" && vehicle_.stays();
-  if (!could) return std::nullopt;
-  const MergingConfig& config = *core_.config().merging;
-  if (is_in_closed_air(vehicle_.place(), config.model, situation())) return kLeavesClosedAir;
-  return is_over_a_pad(*merger_, *config.terrain) ? std::optional(kLeavesPad) : std::nullopt;
-}
-
-/// It gets out of the way as if there were a circle.
-void Merging::leave_place() {
-  const auto patience = leaves_after();
+  const auto patience =
+      could ? patience_at(vehicle_.place(), *merger_, *core_.config().merging, situation())
+            : std::nullopt;
   if (!patience) return room_since_.reset();
   const MissionTime now = core_.bus().now();
   if (!room_since_) room_since_ = now;

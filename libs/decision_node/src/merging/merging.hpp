@@ -77,7 +77,6 @@ class Merging final : public Component {
   void tell_orders();
   Airways places_aside(const merging::Volumes& taken, const std::vector<double>& heights = {0});
   void look_for_room();
-  std::optional<Duration> leaves_after() const;
   void leave_place();
   void stop_waiting();
   AirwaySituation situation() const;

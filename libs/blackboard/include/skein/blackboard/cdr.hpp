@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <variant>
+#include <vector>
 
 #include "skein/blackboard/transport.hpp"
 #include "skein/blackboard/wire.hpp"
@@ -19,6 +20,9 @@ std::size_t encoded_size(const wire::Sample& sample);
 /// what any DDS implementation makes of the IDL type. `out` must hold encoded_size(); gives the
 /// bytes used.
 std::size_t encode(const wire::Sample& sample, std::span<std::uint8_t> out);
+
+/// The same in a buffer of its own.
+std::vector<std::uint8_t> in_cdr(const wire::Sample& sample);
 
 /// Reads what a peer wrote, of either byte order. Never reads past `bytes`, never allocates more
 /// than a small multiple of them, and says which field is wrong. What it gives may still break the

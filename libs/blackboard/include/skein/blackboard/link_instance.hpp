@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The instance number of a LinkState.
+// Which radio directions a LinkState is about.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,11 @@ inline std::uint32_t link_instance(NodeNumber from, NodeNumber to) {
   constexpr std::uint32_t kNumbers = 1U << 16;
   SKEIN_EXPECTS(from.value() < kNumbers && to.value() < kNumbers);
   return from.value() * kNumbers + to.value();
+}
+
+/// Whether it is about one direction, not about all of which nothing else was said.
+inline bool is_of_one(const wire::LinkState& link) {
+  return link.from != kEverybody.value() && link.to != kEverybody.value();
 }
 
 }  // namespace skein::blackboard

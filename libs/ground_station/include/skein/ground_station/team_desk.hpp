@@ -11,7 +11,6 @@
 
 #include "skein/ground_orders/messages.hpp"
 #include "skein/ground_station/mission_checks.hpp"
-#include "skein/team/abilities.hpp"
 
 namespace skein::ground_station {
 
@@ -67,7 +66,6 @@ class TeamDesk {
   void accept(const DeclareLost& lost, MissionTime now, Effects& out);
   void accept(const PlaceKnown& known, MissionTime now, Effects& out);
   void accept(const DegreeChanged& changed, MissionTime now, Effects& out);
-  team::Vehicles vehicles() const;
   std::string why_pinned_does_not_bid(mission::GoalId task) const;
   std::set<mission::GoalId> not_yet(const team::GlobalMission& mission) const;
   void give_what_may(mission::MissionId id, MissionTime now, Effects& out);

@@ -14,9 +14,10 @@ namespace skein::team {
 /// By UAV.
 using Vehicles = std::map<std::string, world::VehicleModel>;
 
-/// The tasks for which too few UAVs have what is needed, with what each of them lacks; who is
-/// forbidden or left out by a pin to another counts as one that cannot. Batteries count as full.
-/// Cost: tasks × vehicles.
-std::vector<Conflict> lacks_of(const GlobalMission& mission, const Vehicles& vehicles);
+/// The tasks for which too few UAVs of the roster have what is needed, with what each of them
+/// lacks; who is forbidden or left out by a pin to another counts as one that cannot. Batteries
+/// count as full. Cost: tasks × vehicles.
+std::vector<Conflict> lacks_of(const GlobalMission& mission, const Roster& roster,
+                               const Vehicles& vehicles);
 
 }  // namespace skein::team
