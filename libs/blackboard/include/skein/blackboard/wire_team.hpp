@@ -47,7 +47,7 @@ constexpr auto names_of(TeamNeedForm) {
 struct TeamNeed {
   std::string capability;
   TeamNeedForm form = TeamNeedForm::kNeedLess;
-  std::string value;  ///< kValue
+  std::string value;  ///< kNeedValue
   double figure = 0;  ///< of a relation
   bool operator==(const TeamNeed&) const = default;
 };
