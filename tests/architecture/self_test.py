@@ -57,6 +57,16 @@ class HeadersAlone(unittest.TestCase):
     def test_what_no_table_has_is_said(self):
         self.assertIn("Add it", self.problems(one="std::frobnicator a;\n")[0])
 
+    def test_what_a_unit_includes_first_is_built_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source = pathlib.Path(folder, "one.cpp")
+            unity = pathlib.Path(folder, "unity.cxx")
+            source.write_text('#include "skein/one.hpp"\n#include "skein/two.hpp"\n')
+            unity.write_text(f'/* several */\n#include "{source}"\n#include "{folder}/two.cpp"\n')
+            self.assertEqual("skein/one.hpp", check_headers_alone.first_include(source))
+            self.assertEqual("skein/one.hpp", check_headers_alone.first_include(unity))
+            self.assertIsNone(check_headers_alone.first_include(pathlib.Path(folder, "none.cpp")))
+
     def test_comments_use_nothing(self):
         self.assertEqual([], self.problems(one="// std::vector\n"))
 

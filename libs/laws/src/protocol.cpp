@@ -127,6 +127,8 @@ class Checker {
   void hear(const lines::Unsent& line, const Written& when) {
     const bool is_wrong = line.why == "malformed" || line.why == "too long";
     if (is_wrong) breach(when.record, "a node has something to say that the wire does not take");
+    if (line.why == "no channel to there for this slot")
+      breach(when.record, "a node speaks to where no channel leads");
   }
 
   // As long as there is no simulator, its radio stays as it was.

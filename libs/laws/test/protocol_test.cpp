@@ -98,8 +98,10 @@ TEST(JournalLaws, AnOrdinaryLifeBreaksNone) {
   EXPECT_THAT(broken_protocol(log), IsEmpty());
 }
 
-TEST(JournalLaws, WhatIsNotSentForWantOfAChannelIsNoBreach) {
-  EXPECT_THAT(broken_protocol({unsent(1, "no channel to there for this slot")}), IsEmpty());
+// Found by a decision node that told its plans to the functional simulator.
+TEST(JournalLaws, NobodySpeaksToWhereNoChannelLeads) {
+  EXPECT_THAT(broken_protocol({unsent(1, "no channel to there for this slot")}),
+              ElementsAre(HasSubstr("a node speaks to where no channel leads")));
 }
 
 TEST(JournalLaws, AMessageMayComePastARelayThatWasToldOf) {

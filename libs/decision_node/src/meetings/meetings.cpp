@@ -68,7 +68,10 @@ void Meetings::said(const temporal::Frontier& frontier) {
 // Where the ground station says when others come, they are as far as it is.
 void Meetings::contact(const Contact& contact) {
   if (!core_.config().consistency || contact.ground != keeps_to(Algorithm::kCip)) return;
-  if (!contact.ground) return reach(contact.peer, contact.reachable);
+  if (!contact.ground) {
+    if (core_.config().others.contains(contact.peer)) reach(contact.peer, contact.reachable);
+    return;
+  }
   for (const std::string& other : core_.config().others.names()) reach(other, contact.reachable);
 }
 

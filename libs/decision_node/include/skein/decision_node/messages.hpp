@@ -82,7 +82,7 @@ struct DegreeTold {
   std::string from;
   mission::Degree degree = mission::kLeastDegree;
 };
-/// Whether another node is in radio reach.
+/// Whether another node is in reach: a UAV, the ground station, or this UAV's functional layer.
 struct Contact {
   std::string peer;
   bool ground = false;  ///< the node is the ground station

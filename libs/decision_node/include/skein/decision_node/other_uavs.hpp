@@ -24,7 +24,7 @@ class OtherUavs {
       : uavs_(std::move(uavs)), self_(std::move(self)) {}
 
   bool contains(std::string_view uav) const {
-    return uav != self_ && std::ranges::find(uavs_, uav) != uavs_.end();
+    return uav != self_ && std::find(uavs_.begin(), uavs_.end(), uav) != uavs_.end();
   }
   /// In the order of the system. Cost: a copy of all names.
   std::vector<std::string> names() const {
