@@ -22,6 +22,18 @@ Examples:
   skein run scenarios/comets/confirmed.yaml --virtual --degree 2 --degree marvin=1 --seed 7
 Exit codes: 0 all expectations met, 1 some not, 2 wrong input, 3 a daemon died, 4 time-out, 130 Ctrl-C.)";
 
+void add_dds(CLI::App* run, run_tool::RunOptions& options, CLI::Option* in_virtual_time) {
+  run->add_option(
+         "--dds", options.overrides.dds,
+         "Whose DDS all nodes use (fastdds, cyclonedds) or one (marvin=cyclonedds); may be "
+         "repeated")
+      ->allow_extra_args(false);
+  run->add_flag("--types", options.types,
+                "Nodes on Cyclone DDS announce the types of what they write, so that DDS tools "
+                "without our IDL can read it")
+      ->excludes(in_virtual_time);
+}
+
 void add_run(CLI::App& app, Action& action, const Actions& actions) {
   auto options = std::make_shared<run_tool::RunOptions>();
   CLI::App* run = app.add_subcommand("run", "Play a scenario, check it, write its report");
@@ -33,11 +45,7 @@ void add_run(CLI::App& app, Action& action, const Actions& actions) {
   run->add_option("--degree", options->overrides.degrees,
                   "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated")
       ->allow_extra_args(false);
-  run->add_option(
-         "--dds", options->overrides.dds,
-         "Whose DDS all nodes use (fastdds, cyclonedds) or one (marvin=cyclonedds); may be "
-         "repeated")
-      ->allow_extra_args(false);
+  add_dds(run, *options, in_virtual_time);
   run->add_option("--out", options->out, "Folder for the results (default: out/NAME)")
       ->take_last();  // ./demo gives one that its caller may replace
   run->add_option("--explain", options->explain,

@@ -176,6 +176,18 @@ TEST(DdsVendors, KeysGoWithFastDdsOnly) {
                         "another: heliv"));
 }
 
+TEST(DdsVendors, TypesAreAnnouncedByCycloneOnly) {
+  DdsRun run;
+  run.take_scenario("confirmed");
+
+  run.start({"--types"});
+  const auto status = run.wait(30);
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 2);
+  EXPECT_THAT(run.output(), HasSubstr("--types needs a node on Cyclone DDS"));
+}
+
 TEST(DdsVendors, AVendorThatThereIsNotIsRefusedWithThoseThatThereAre) {
   DdsRun run;
   run.take_scenario("confirmed");

@@ -79,6 +79,7 @@ Result<void, Failure> Fleet::start(const std::string& name) {
   }
   if (forgetful_.erase(name) > 0) command.emplace_back("--forgets");
   if (!options_.keys.empty()) command.insert(command.end(), {"--security", options_.keys});
+  if (options_.types && announces_types(scenario_, name)) command.emplace_back("--types");
   command.insert(command.end(), options_.daemon_options.begin(), options_.daemon_options.end());
   auto process = Process::start(command, log_of(name));
   if (!process) return tl::unexpected(process.error());

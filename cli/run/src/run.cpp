@@ -136,8 +136,8 @@ int play(const Scenario& scenario, const RunOptions& options, const std::string&
           ? play_virtual(scenario, progress)
           : play_dds(scenario,
                      {options.daemons, folder, options.domain, options.overrides.as_options(),
-                      options.without, options.security, options.console, options.mavlink_out,
-                      options.ros2, options.interfaces},
+                      options.without, options.security, options.types, options.console,
+                      options.mavlink_out, options.ros2, options.interfaces},
                      progress);
   progress.finish();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
@@ -180,6 +180,15 @@ std::string security_problem(const Scenario& scenario, const RunOptions& options
          joined(others, ", ");
 }
 
+// Types are announced by Cyclone DDS alone.
+std::string types_problem(const Scenario& scenario, const RunOptions& options) {
+  if (!options.types) return "";
+  const node::Roster roster = scenario_setup::roster_of(scenario);
+  for (const node::Member& member : roster.members())
+    if (announces_types(scenario, member.name)) return "";
+  return "--types needs a node on Cyclone DDS, which alone announces types: --dds cyclonedds";
+}
+
 }  // namespace
 
 int run(const RunOptions& options, std::ostream& out, std::ostream& err) {
@@ -188,9 +197,11 @@ int run(const RunOptions& options, std::ostream& out, std::ostream& err) {
     err << to_text(scenario.error());
     return kExitBadInput;
   }
-  if (const std::string problem = security_problem(*scenario, options); !problem.empty()) {
-    err << problem << '\n';
-    return kExitBadInput;
+  for (const auto& problem_of : {security_problem, types_problem}) {
+    if (const std::string problem = problem_of(*scenario, options); !problem.empty()) {
+      err << problem << '\n';
+      return kExitBadInput;
+    }
   }
   if (options.check_only) {
     out << options.scenario << ": " << scenario->uavs.size() << " UAVs, "

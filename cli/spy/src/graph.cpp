@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph.hpp"
 
+#include "skein/blackboard/dds_type.hpp"
 #include "skein/foundation/overloaded.hpp"
 
 namespace skein::spy_tool {
 
 using blackboard::Endpoint;
+
+namespace {
+
+/// Of what is announced of a topic's type: it says nothing else, and matches nobody.
+bool only_describes(const Endpoint& endpoint) {
+  return endpoint.writer &&
+         endpoint.partitions == std::vector<std::string>{blackboard::kTypesPartition};
+}
+
+}  // namespace
 
 void Graph::see(const blackboard::Sighting& sighting, Duration now) {
   std::visit(Overloaded{[&](const blackboard::ParticipantSeen& seen) {
@@ -23,6 +34,7 @@ void Graph::see(const blackboard::Sighting& sighting, Duration now) {
                           });
                         },
                         [&](const blackboard::EndpointSeen& seen) {
+                          if (only_describes(seen.endpoint)) return;
                           endpoints_.insert_or_assign(seen.endpoint.guid, seen.endpoint);
                           found_.try_emplace(seen.endpoint.guid, now);
                         },

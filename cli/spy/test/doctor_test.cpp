@@ -171,6 +171,15 @@ TEST_F(DoctorOfDomains, FindsATopicOfOursWithAnotherTypeOrWeakerQos) {
   EXPECT_THAT(bad(), HasSubstr("TaskEvent of tool: the writer offers best effort"));
 }
 
+TEST_F(DoctorOfDomains, HasNothingAgainstTypesThatAreAnnounced) {
+  blackboard::Endpoint event = reader_of(wire::Slot::kTaskEvent, {"types"});
+  event.writer = true;
+  event.qos = {};
+  event.qos.exclusive = true;
+  domain().node("ground", 1).has("ground", event);
+  EXPECT_EQ(bad(), "");
+}
+
 TEST_F(DoctorOfDomains, FindsMalformedSamplesWithTheirField) {
   domain()
       .node("sim", 2)

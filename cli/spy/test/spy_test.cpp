@@ -36,6 +36,7 @@ class SpyOnANode : public ::testing::TestWithParam<blackboard::DdsVendor> {
     transport_.reset();
     blackboard::DdsConfig dds{lease_->domain(), "ground", {}, {}};
     dds.network.dds = GetParam();
+    dds.network.types = GetParam() == blackboard::DdsVendor::kCycloneDds;
     transport_ = blackboard::make_dds_transport(std::move(dds));
     const node::Roster roster({"marvin"});
     blackboard::Config config;

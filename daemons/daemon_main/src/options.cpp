@@ -31,6 +31,10 @@ void declare_network(CLI::App& app, blackboard::NetworkConfig& network) {
        "ADDRESS:PORT of a Fast DDS discovery server, by which alone others are found");
   app.add_option("--security", network.keys,
                  "Folder made by make-keys: talk only with nodes that prove who they are");
+  app.add_flag("--types", network.types,
+               "Announce the types of what it writes, so that DDS tools without our IDL can read "
+               "it; with --dds cyclonedds")
+      ->default_str("false");
 }
 
 void declare_run(CLI::App& app, Options& options, bool remembers) {

@@ -67,6 +67,11 @@ std::vector<std::string> problems_of(const NetworkConfig& network) {
   for (const std::string& one : network.interfaces) check("interface", one, -1);
   for (const std::string& one : network.peers) check("peer", one, 0);
   for (const std::string& one : network.discovery_servers) check("discovery server", one, 1);
+  if (network.types && network.dds != DdsVendor::kCycloneDds) {
+    problems.emplace_back(
+        "types (--types) are announced over Cyclone DDS alone: Fast DDS crashes on some that its "
+        "peers announce; use --dds cyclonedds");
+  }
   if (network.dds == DdsVendor::kCycloneDds) {
     const auto is_loopback = [](const std::string& one) { return one.starts_with("127."); };
     const auto on_loopback = std::ranges::count_if(network.interfaces, is_loopback);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A blackboard against Fast DDS programs that know nothing of Skein but idl/.
+// A blackboard, over Fast DDS and over Cyclone DDS that announces its types, against Fast DDS
+// programs that know nothing of Skein but idl/.
 #include <fastdds/statePubSubTypes.h>
 #include <fastdds/streamPubSubTypes.h>
 #include <gtest/gtest.h>
@@ -21,6 +22,7 @@
 
 #include "adapters/fastdds/qos.hpp"
 #include "skein/blackboard/blackboard.hpp"
+#include "skein/blackboard/dds_transport.hpp"
 #include "skein/blackboard/domain_lease.hpp"
 #include "skein/blackboard/fastdds_transport.hpp"
 
@@ -81,10 +83,10 @@ class Raw {
   dds::DomainParticipant* participant_;
 };
 
-class FastDdsRaw : public ::testing::Test {
+class FastDdsRaw : public ::testing::TestWithParam<DdsVendor> {
  protected:
   FastDdsRaw() {
-    transport.on_arrival([this] {
+    transport->on_arrival([this] {
       const std::lock_guard lock(mutex_);
       arrived_ = true;
       wake_.notify_one();
@@ -92,13 +94,15 @@ class FastDdsRaw : public ::testing::Test {
     Config settings;
     settings.self = kGround.number;
     settings.channels = radio_link(kGround, kMarvin);
-    auto opened = Blackboard::open(std::move(settings), transport);
+    auto opened = Blackboard::open(std::move(settings), *transport);
     if (opened) ground = std::make_unique<Blackboard>(std::move(*opened));
   }
 
   static DdsConfig config(std::uint32_t domain) {
     DdsConfig config;
     config.domain = domain;
+    config.network.dds = GetParam();
+    config.network.types = GetParam() == DdsVendor::kCycloneDds;
     return config;
   }
   static Now now() {
@@ -137,7 +141,7 @@ class FastDdsRaw : public ::testing::Test {
   }
 
   DomainLease lease = claim_domain().value();
-  FastDdsTransport transport{config(lease.domain())};
+  std::unique_ptr<Transport> transport = make_dds_transport(config(lease.domain()));
   std::unique_ptr<Blackboard> ground;
   Raw raw{lease.domain()};
   std::vector<Incoming> received;
@@ -148,7 +152,7 @@ class FastDdsRaw : public ::testing::Test {
   bool arrived_ = false;
 };
 
-TEST_F(FastDdsRaw, AnEnumerationOutOfRangeIsDropped) {
+TEST_P(FastDdsRaw, AnEnumerationOutOfRangeIsDropped) {
   auto* writer =
       raw.writer<idl::PlanBoardPubSubType>(wire::Slot::kPlanBoard, "radio/marvin>ground");
   idl::PlanBoard board;
@@ -165,7 +169,7 @@ TEST_F(FastDdsRaw, AnEnumerationOutOfRangeIsDropped) {
   EXPECT_EQ(received_samples(), 0U);
 }
 
-TEST_F(FastDdsRaw, ANumberThatIsNotFiniteIsDropped) {
+TEST_P(FastDdsRaw, ANumberThatIsNotFiniteIsDropped) {
   auto* writer =
       raw.writer<idl::TelemetryPubSubType>(wire::Slot::kTelemetry, "radio/marvin>ground");
   idl::Telemetry telemetry;
@@ -183,7 +187,7 @@ TEST_F(FastDdsRaw, ANumberThatIsNotFiniteIsDropped) {
   EXPECT_EQ(received_samples(), 0U);
 }
 
-TEST_F(FastDdsRaw, ASequenceBeyondTheLimitIsDroppedAndWhatFollowsIsRead) {
+TEST_P(FastDdsRaw, ASequenceBeyondTheLimitIsDroppedAndWhatFollowsIsRead) {
   auto* writer =
       raw.writer<idl::PlanBoardPubSubType>(wire::Slot::kPlanBoard, "radio/marvin>ground");
   idl::PlanBoard board;
@@ -201,7 +205,7 @@ TEST_F(FastDdsRaw, ASequenceBeyondTheLimitIsDroppedAndWhatFollowsIsRead) {
   EXPECT_TRUE(run_until([&] { return received_samples() == 1; }));
 }
 
-TEST_F(FastDdsRaw, AGeneratedReaderUnderstandsUs) {
+TEST_P(FastDdsRaw, AGeneratedReaderUnderstandsUs) {
   auto* reader =
       raw.reader<idl::AutonomyDegreePubSubType>(wire::Slot::kAutonomyDegree, "radio/ground>marvin");
   wire::AutonomyDegree degree;
@@ -221,6 +225,10 @@ TEST_F(FastDdsRaw, AGeneratedReaderUnderstandsUs) {
   EXPECT_EQ(seen.degree(), 4);
   EXPECT_EQ(seen.contact_policy(), "hold");
 }
+
+INSTANTIATE_TEST_SUITE_P(Ours, FastDdsRaw,
+                         ::testing::Values(DdsVendor::kFastDds, DdsVendor::kCycloneDds),
+                         [](const auto& one) { return std::string(name_of(one.param)); });
 
 TEST(FastDdsTransport, AnAddressThatNobodyHereHasIsAFailureAndNotSilence) {
   DdsConfig lost;

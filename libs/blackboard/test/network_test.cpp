@@ -63,5 +63,17 @@ TEST(NetworkConfig, WhatCycloneCannotDoIsSaid) {
   EXPECT_EQ(problems_of(network).size(), 1U);
 }
 
+TEST(NetworkConfig, TypesAreAnnouncedOverCycloneAlone) {
+  NetworkConfig network;
+  network.types = true;
+  network.dds = DdsVendor::kCycloneDds;
+  EXPECT_TRUE(problems_of(network).empty());
+
+  network.dds = DdsVendor::kFastDds;
+
+  ASSERT_EQ(problems_of(network).size(), 1U);
+  EXPECT_NE(problems_of(network)[0].find("--types"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace skein::blackboard

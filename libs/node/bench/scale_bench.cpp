@@ -29,6 +29,7 @@ using skein::node::bench::ScaleOptions;
 constexpr const char* kUsage =
     R"(skein_scale_bench NODES [--dds fastdds|cyclonedds] [--server ADDRESS:PORT] [--idle SECONDS]
                   [--limit SECONDS] [--stagger MILLISECONDS] [--at-once yes] [--least yes]
+                  [--types yes]
 A row: nodes beside the ground station | who met all others | until the last did [s]
 | opening the transport, most [s] | processor until then, mean and most [s]
 | private memory, mean and most [MB] | idle, mean and most [% of a processor]
@@ -45,6 +46,7 @@ ScaleOptions options_of(const std::vector<std::string>& words) {
     if (words[i] == "--stagger") options.stagger = std::stoi(value);
     if (words[i] == "--server") options.server = value;
     if (words[i] == "--dds") options.dds = value;
+    if (words[i] == "--types") options.types = value == "yes";
     if (words[i] == "--at-once") options.at_once = value == "yes";
     if (words[i] == "--least") options.least = value == "yes";
   }

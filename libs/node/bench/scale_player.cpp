@@ -58,6 +58,7 @@ blackboard::DdsConfig dds_config(const ScaleOptions& options, std::uint32_t doma
                                  const std::string& name, const Roster& roster) {
   blackboard::DdsConfig config{domain, name, {}, {}, roster.names()};
   config.network.dds = blackboard::dds_from_name(options.dds).value_or(config.network.dds);
+  config.network.types = options.types;
   config.endpoints_at_once = options.at_once;
   if (!options.server.empty()) config.network.discovery_servers = {options.server};
   return config;

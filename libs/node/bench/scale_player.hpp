@@ -16,6 +16,7 @@ struct ScaleOptions {
   int stagger = 0;  ///< between two starts [ms]
   std::string server, dds;
   bool least = false;    ///< one writer and one reader each, which all connect: the vendor's share
+  bool types = false;    ///< announced, over Cyclone DDS
   bool at_once = false;  ///< all endpoints are made at the beginning
 };
 

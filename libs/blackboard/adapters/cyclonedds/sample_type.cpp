@@ -3,7 +3,9 @@
 // 0.10.2, which say what each operation must do.
 #include "sample_type.hpp"
 
+#include <dds/ddsi/ddsi_typelib.h>
 #include <dds/ddsi/q_radmin.h>
+#include <dds/ddsrt/heap.h>
 #include <dds/ddsrt/md5.h>
 #include <dds/ddsrt/mh3.h>
 
@@ -14,6 +16,7 @@
 
 #include "skein/blackboard/cdr.hpp"
 #include "skein/blackboard/dds_type.hpp"
+#include "type_description.hpp"
 
 namespace skein::blackboard::cyclonedds {
 namespace {
@@ -180,6 +183,33 @@ void zero_samples(const ddsi_sertype*, void*, std::size_t) {}
 void realloc_samples(void**, const ddsi_sertype*, void*, std::size_t, std::size_t) {}
 void free_samples(const ddsi_sertype*, void**, std::size_t, dds_free_op_t) {}
 
+TypeDescription description_of(const ddsi_sertype* type) {
+  return describe(static_cast<const SampleType*>(type)->slot);
+}
+
+ddsi_sertype_cdr_data serialised(std::span<const std::uint8_t> bytes) {
+  return {static_cast<std::uint32_t>(bytes.size()), const_cast<std::uint8_t*>(bytes.data())};
+}
+
+// Copies that Cyclone frees.
+ddsi_typeinfo_t* type_information(const ddsi_sertype* type) {
+  const ddsi_sertype_cdr_data bytes = serialised(description_of(type).information);
+  return ddsi_typeinfo_deser(&bytes);
+}
+
+ddsi_typemap_t* type_mapping(const ddsi_sertype* type) {
+  const ddsi_sertype_cdr_data bytes = serialised(description_of(type).mapping);
+  return ddsi_typemap_deser(&bytes);
+}
+
+ddsi_typeid_t* type_identifier(const ddsi_sertype* type, ddsi_typeid_kind_t kind) {
+  ddsi_typeinfo_t* const information = type_information(type);
+  ddsi_typeid_t* const identifier = ddsi_typeinfo_typeid(information, kind);
+  ddsi_typeinfo_fini(information);
+  ddsrt_free(information);
+  return identifier;
+}
+
 const ddsi_serdata_ops& data_operations() {
   static const ddsi_serdata_ops kOperations = [] {
     ddsi_serdata_ops all{};
@@ -218,15 +248,32 @@ const ddsi_sertype_ops& type_operations() {
   return kOperations;
 }
 
-}  // namespace
+const ddsi_sertype_ops& described_type_operations() {
+  static const ddsi_sertype_ops kOperations = [] {
+    ddsi_sertype_ops all = type_operations();
+    all.type_id = type_identifier;
+    all.type_map = type_mapping;
+    all.type_info = type_information;
+    return all;
+  }();
+  return kOperations;
+}
 
-ddsi_sertype* make_sample_type(wire::Slot slot) {
+ddsi_sertype* make_type(wire::Slot slot, const ddsi_sertype_ops& operations) {
   auto* const type = new SampleType;
   const std::string name = blackboard::dds_type_of(slot);
-  ddsi_sertype_init(type, name.c_str(), &type_operations(), &data_operations(), false);
+  ddsi_sertype_init(type, name.c_str(), &operations, &data_operations(), false);
   type->allowed_data_representation = DDS_DATA_REPRESENTATION_FLAG_XCDR1;
   type->slot = slot;
   return type;
+}
+
+}  // namespace
+
+ddsi_sertype* make_sample_type(wire::Slot slot) { return make_type(slot, type_operations()); }
+
+ddsi_sertype* make_described_type(wire::Slot slot) {
+  return make_type(slot, described_type_operations());
 }
 
 ddsi_serdata* make_outgoing(const ddsi_sertype& type, const wire::Sample& sample) {

@@ -22,6 +22,9 @@ namespace skein::blackboard::cyclonedds {
 /// information goes out. Made for dds_create_topic_sertype(), which then owns it.
 ddsi_sertype* make_sample_type(wire::Slot slot);
 
+/// The same type with its XTypes description, which goes out with each of its endpoints.
+ddsi_sertype* make_described_type(wire::Slot slot);
+
 /// An outgoing sample with one reference, which the writer takes over (dds_writecdr).
 ddsi_serdata* make_outgoing(const ddsi_sertype& type, const wire::Sample& sample);
 

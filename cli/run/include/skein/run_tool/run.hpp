@@ -25,6 +25,7 @@ struct RunOptions {
   /// Addresses of this machine where the run itself listens to its daemons; empty: on this machine.
   std::vector<std::string> interfaces;
   std::string security;               ///< folder of make-keys, over DDS; empty: none
+  bool types = false;                 ///< nodes on Cyclone DDS announce the types of their samples
   std::string mcap;                   ///< file for the run as MCAP; empty: none
   std::string console;                ///< ADDRESS:PORT of the operators' page; empty: none
   std::optional<std::uint32_t> ros2;  ///< domain of ROS 2, over DDS; none: it is not told

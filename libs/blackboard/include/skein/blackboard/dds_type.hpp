@@ -13,4 +13,7 @@ inline std::string dds_type_of(wire::Slot slot) {
   return "skein::idl::" + std::string(wire::slot_name(slot));
 }
 
+/// The partition of writers that only announce the types of their topics (NetworkConfig::types).
+inline constexpr const char* kTypesPartition = "types";
+
 }  // namespace skein::blackboard

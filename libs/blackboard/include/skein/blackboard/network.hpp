@@ -37,6 +37,9 @@ struct NetworkConfig {
   /// Folder with the keys of this node (scripts/make-keys); empty: the domain is not secured. Fast
   /// DDS only.
   std::string keys;
+  /// Whether the types of what this node writes are announced (XTypes), so that programs without
+  /// our IDL can read it. Cyclone DDS only.
+  bool types = false;
 };
 
 struct NetworkAddress {
