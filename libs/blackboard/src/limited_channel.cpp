@@ -76,23 +76,11 @@ std::optional<LimitedChannel::Turn> LimitedChannel::next(const Waiting& first, D
   return turn;
 }
 
-void LimitedChannel::pass(wire::Sample sample) {
-  if (passing_.size() >= kEventDepth) passing_.pop_front();
-  passing_.push_back(std::move(sample));
-}
-
 std::vector<wire::Sample> LimitedChannel::let_go() {
   std::vector<wire::Sample> states = values_.take(wire::SlotClass::kState);
   values_.take(wire::SlotClass::kStream);
   passing_.clear();
   return states;
-}
-
-wire::Sample LimitedChannel::take_passing() {
-  SKEIN_EXPECTS(!passing_.empty());
-  wire::Sample first = std::move(passing_.front());
-  passing_.pop_front();
-  return first;
 }
 
 wire::Sample LimitedChannel::take(const Turn& turn) {

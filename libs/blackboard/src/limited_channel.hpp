@@ -4,12 +4,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "channel_schedule.hpp"
+#include "passing_samples.hpp"
 #include "skein/blackboard/channel.hpp"
 #include "waiting_values.hpp"
 
@@ -51,13 +51,10 @@ class LimitedChannel {
   /// Ends the scheduling. Returns the waiting states, to be written at once, so that the transport
   /// keeps them for late readers; waiting streams are dropped.
   std::vector<wire::Sample> let_go();
-  /// Queues a relayed event or heartbeat of another node. If there are too many, the oldest is
-  /// dropped; its author sends it again.
-  void pass(wire::Sample sample);
-  const wire::Sample* first_passing() const {
-    return passing_.empty() ? nullptr : &passing_.front();
-  }
-  wire::Sample take_passing();
+  /// Queues an event, part or heartbeat that goes past a relay.
+  void pass(wire::Sample sample) { passing_.put(std::move(sample)); }
+  const wire::Sample* first_passing() const { return passing_.first(); }
+  wire::Sample take_passing() { return passing_.take(); }
   /// Number of values that were replaced by newer ones before they were written.
   std::uint64_t shed() const { return shed_; }
 
@@ -82,7 +79,7 @@ class LimitedChannel {
   std::vector<wire::Slot> slots_;  ///< of the flows behind heartbeats and events
   ChannelSchedule schedule_;
   WaitingValues values_;
-  std::deque<wire::Sample> passing_;
+  PassingSamples passing_;
   bool turn_of_long_ = false;  ///< where a slot has long and short states
   std::uint64_t shed_ = 0;
 };

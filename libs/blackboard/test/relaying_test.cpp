@@ -76,6 +76,29 @@ TEST(Relaying, StatesAndStreamsGoPastAChainOfThreeRelays) {
   EXPECT_EQ(net.routes(1).back().via, NodeNumber(2));
 }
 
+// Found by a random mission: the ground station got what had been saved up for five minutes first.
+TEST(Relaying, OnANarrowChannelWhatOneHasMissedKeepsNoOtherWaiting) {
+  RadioNet::Setup setup = chain(4);  // 1 is heard past 2 alone
+  setup.relays = {2};
+  setup.capacity = 19'200;
+  setup.period = seconds(1);
+  RadioNet net(setup);
+  net.set_both(1, 3, false);
+  net.set_both(1, 4, false);
+  net.run_for(seconds(20));
+  net.set_both(1, 2, false);
+  net.run_for(seconds(10));
+  for (int i = 0; i < 150; ++i) net.send_event(1, 3);
+  const auto event = net.send_event(1, 4);
+  net.set_both(1, 2, true);
+
+  ASSERT_TRUE(net.run_until([&] { return net.reachable(1, 4); }, seconds(5)));
+  ASSERT_TRUE(net.run_until([&] { return !net.handled(4, 1).empty(); }, seconds(3)));
+  EXPECT_THAT(net.handled(4, 1), ElementsAre(event));
+  EXPECT_LT(net.handled(3, 1).size(), 75U) << "nothing was saved up";
+  EXPECT_TRUE(net.run_until([&] { return net.handled(3, 1).size() == 150; }, seconds(60)));
+}
+
 TEST(Relaying, AnotherRelayTakesOverWhenOneDies) {
   RadioNet::Setup setup;
   setup.nodes = 4;

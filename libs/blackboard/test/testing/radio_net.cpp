@@ -94,6 +94,7 @@ void RadioNet::start(int node) {
   }
   ChannelCondition condition;
   condition.latency = setup_.latency;
+  condition.capacity = setup_.capacity;
   for (int other = 1; other <= setup_.nodes; ++other) {
     running.blackboard->set_condition(node_of(node).number, node_of(other).number, condition, at());
     running.blackboard->set_condition(node_of(other).number, node_of(node).number, condition, at());

@@ -27,6 +27,7 @@ class RadioNet {
     Duration period = Duration::milliseconds(250);
     double loss = 0;  ///< share of streams and heartbeats that vanish, on every link
     Duration latency{};
+    double capacity = 0;  ///< [bit/s] of every link in each direction; 0: unlimited
     std::size_t most_relays = 8;
     std::uint64_t seed = 1;
   };

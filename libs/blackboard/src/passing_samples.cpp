@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "passing_samples.hpp"
+
+#include <algorithm>
+
+#include "skein/blackboard/transport.hpp"
+#include "skein/foundation/contract.hpp"
+
+namespace skein::blackboard {
+namespace {
+
+bool is_the_same(const wire::Sample& one, const wire::Sample& other) {
+  const wire::SampleHeader& a = wire::header_of(one);
+  const wire::SampleHeader& b = wire::header_of(other);
+  return wire::slot_of(one) == wire::slot_of(other) && a.incarnation == b.incarnation &&
+         a.sequence_number == b.sequence_number;
+}
+
+}  // namespace
+
+void PassingSamples::put(wire::Sample sample) {
+  const wire::SampleHeader& header = wire::header_of(sample);
+  const Ends ends{header.origin, header.destination};
+  const auto [found, is_new] = pairs_.try_emplace(ends);
+  if (is_new) turns_.push_back(ends);
+  Pair& pair = found->second;
+  if (wire::slot_of(sample) == wire::Slot::kHeartbeat) {
+    pair.heartbeat = std::move(sample);
+    return;
+  }
+  const auto same = [&](const wire::Sample& one) { return is_the_same(one, sample); };
+  if (std::ranges::any_of(pair.events, same)) return;
+  pair.events.push_back(std::move(sample));
+  if (++events_ > kEventDepth) drop_one();
+}
+
+void PassingSamples::drop_one() {
+  const auto fewer = [](const auto& a, const auto& b) {
+    return a.second.events.size() < b.second.events.size();
+  };
+  const auto most = std::ranges::max_element(pairs_, fewer);
+  most->second.events.pop_front();
+  --events_;
+  if (!most->second.events.empty() || most->second.heartbeat) return;
+  std::erase(turns_, most->first);
+  pairs_.erase(most);
+}
+
+const wire::Sample* PassingSamples::first() const {
+  if (turns_.empty()) return nullptr;
+  const Pair& pair = pairs_.at(turns_.front());
+  return pair.heartbeat ? &*pair.heartbeat : &pair.events.front();
+}
+
+wire::Sample PassingSamples::take() {
+  SKEIN_EXPECTS(!empty());
+  const Ends ends = turns_.front();
+  turns_.pop_front();
+  Pair& pair = pairs_.at(ends);
+  wire::Sample first = pair.heartbeat ? std::move(*pair.heartbeat) : std::move(pair.events.front());
+  if (pair.heartbeat) {
+    pair.heartbeat.reset();
+  } else {
+    pair.events.pop_front();
+    --events_;
+  }
+  if (pair.events.empty()) {
+    pairs_.erase(ends);
+  } else {
+    turns_.push_back(ends);
+  }
+  return first;
+}
+
+void PassingSamples::clear() { *this = PassingSamples(); }
+
+}  // namespace skein::blackboard

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Queue of relayed samples for a channel of limited capacity.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "skein/blackboard/wire.hpp"
+
+namespace skein::blackboard {
+
+/// Events, parts and heartbeats that go past a relay: those of each author to each receiver in
+/// their order, and the pairs of author and receiver in turn, so that what one has saved up for
+/// another during a cut keeps nobody else waiting. Of a pair's heartbeats only the last waits,
+/// before its events: it says all that those before it said. Memory: kEventDepth events in all.
+class PassingSamples {
+ public:
+  /// An event that waits already, which its author repeats, is not queued again. If there are too
+  /// many, the oldest of the pair with the most is dropped; its author sends it again.
+  void put(wire::Sample sample);
+  bool empty() const { return pairs_.empty(); }
+  /// The next one; null if none waits. Valid until the next call of another function.
+  const wire::Sample* first() const;
+  /// Removes and returns it; there must be one.
+  wire::Sample take();
+  void clear();
+
+ private:
+  using Ends = std::pair<std::uint32_t, std::uint32_t>;  ///< origin, destination
+  struct Pair {
+    std::optional<wire::Sample> heartbeat;
+    std::deque<wire::Sample> events;
+  };
+  void drop_one();
+
+  std::map<Ends, Pair> pairs_;  ///< those for which anything waits
+  std::deque<Ends> turns_;      ///< of all pairs, the next one first
+  std::size_t events_ = 0;
+};
+
+}  // namespace skein::blackboard

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "passing_samples.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "skein/blackboard/transport.hpp"
+#include "skein/foundation/random.hpp"
+#include "testing/samples.hpp"
+
+namespace skein::blackboard::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
+
+wire::Sample between(std::uint32_t origin, std::uint32_t destination, std::uint64_t number,
+                     wire::Sample sample = wire::SyncMessage{}) {
+  wire::SampleHeader& header = wire::header_of(sample);
+  header.origin = origin;
+  header.destination = destination;
+  header.sequence_number = number;
+  return sample;
+}
+
+/// "1>3 #5" of each, in order; heartbeats as "1>3 beat 5".
+std::vector<std::string> taken(PassingSamples& passing) {
+  std::vector<std::string> all;
+  while (!passing.empty()) {
+    const wire::Sample one = passing.take();
+    const wire::SampleHeader& header = wire::header_of(one);
+    const bool beats = std::holds_alternative<wire::Heartbeat>(one);
+    all.push_back(std::to_string(header.origin) + ">" + std::to_string(header.destination) +
+                  (beats ? " beat " : " #") + std::to_string(header.sequence_number));
+  }
+  return all;
+}
+
+// Found by a random mission: a message of a synchronisation waited behind five minutes of events
+// for the ground station.
+TEST(PassingSamples, WhatWaitsForOneReceiverKeepsNobodyElseWaiting) {
+  PassingSamples passing;
+  for (std::uint64_t number = 1; number <= 3; ++number) passing.put(between(5, 1, number));
+  passing.put(between(5, 2, 1));
+  passing.put(between(6, 1, 1));
+
+  EXPECT_THAT(taken(passing), ElementsAre("5>1 #1", "5>2 #1", "6>1 #1", "5>1 #2", "5>1 #3"));
+}
+
+TEST(PassingSamples, TheLastHeartbeatOfAPairGoesBeforeItsEvents) {
+  PassingSamples passing;
+  passing.put(between(5, 1, 1));
+  passing.put(between(5, 1, 7, wire::Heartbeat{}));
+  passing.put(between(6, 1, 1));
+  passing.put(between(5, 1, 8, wire::Heartbeat{}));
+
+  EXPECT_THAT(taken(passing), ElementsAre("5>1 beat 8", "6>1 #1", "5>1 #1"));
+}
+
+TEST(PassingSamples, WhatItsAuthorSaysAgainMeanwhileWaitsOnce) {
+  PassingSamples passing;
+  passing.put(between(5, 1, 1));
+  passing.put(between(5, 1, 2));
+  passing.put(between(5, 1, 1));
+
+  EXPECT_THAT(taken(passing), ElementsAre("5>1 #1", "5>1 #2"));
+}
+
+TEST(PassingSamples, WhoHasSavedUpMostLosesTheOldest) {
+  PassingSamples passing;
+  for (std::uint64_t number = 1; number <= kEventDepth; ++number)
+    passing.put(between(5, 1, number));
+  passing.put(between(6, 1, 1));
+
+  const std::vector<std::string> all = taken(passing);
+
+  ASSERT_THAT(all, SizeIs(kEventDepth));
+  EXPECT_EQ(all[0], "5>1 #2");
+  EXPECT_EQ(all[1], "6>1 #1");
+}
+
+TEST(PassingSamples, AsManyPairsAsThereAreMayWait) {
+  PassingSamples passing;
+  for (std::uint32_t origin = 1; origin <= kEventDepth + 10; ++origin)
+    passing.put(between(origin, 1'000, 1));
+
+  EXPECT_THAT(taken(passing), SizeIs(kEventDepth));
+}
+
+// Whatever comes and goes: each pair's events in their order, and between two of one pair at most
+// one of each other.
+TEST(PassingSamples, GoInOrderAndInTurn) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    PassingSamples passing;
+    std::map<std::uint32_t, std::uint64_t> put;
+    std::map<std::uint32_t, std::uint64_t> taken;
+    std::map<std::uint32_t, std::map<std::uint32_t, int>> others;  // since the last of the first
+    for (int step = 0; step < 300; ++step) {
+      const auto origin = static_cast<std::uint32_t>(1 + random.below(4));
+      if (passing.empty() || random.chance(0.55)) {
+        passing.put(between(origin, 9, ++put[origin]));
+        continue;
+      }
+      const wire::Sample one = passing.take();
+      const std::uint32_t from = wire::header_of(one).origin;
+      ASSERT_EQ(wire::header_of(one).sequence_number, ++taken[from]) << seed;
+      others[from].clear();
+      for (auto& [waiting, count] : others) {
+        if (waiting == from || put[waiting] == taken[waiting]) continue;
+        ASSERT_LE(++count[from], 1) << seed << ": " << from << " before " << waiting;
+      }
+      for (std::uint32_t each = 1; each <= 4; ++each)
+        if (put[each] == taken[each]) others[each].clear();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace skein::blackboard::testing
