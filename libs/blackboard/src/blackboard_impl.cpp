@@ -286,31 +286,6 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
   }
 }
 
-std::vector<Incoming> Blackboard::Impl::receive(Now now) {
-  for (Peer* peer : heard_) peer->commit();
-  heard_.clear();
-  connections_.update(now.steady, out_);
-  for (Arrival& arrival : transport_.take()) arrive(std::move(arrival), now);
-  while (auto due = delayed_.take_due(now.steady)) admit(due->channel, std::move(due->sample), now);
-  return std::exchange(out_, {});
-}
-
-std::vector<Incoming> Blackboard::Impl::act(Now now) {
-  for (const NodeNumber number : agenda_.due(now)) {
-    Peer& peer = peers_.at(number);
-    peer.update(now, out_);
-    serve(peer, now);
-  }
-  if (const auto number = pulse_.beat(now.steady)) {
-    wire::Heartbeat heartbeat;
-    stamp(heartbeat.header, kEverybody, *number, now);
-    write(*world_, heartbeat);
-  }
-  route(now);
-  connections_.write_again();
-  return std::exchange(out_, {});
-}
-
 void Blackboard::Impl::serve(Peer& peer, Now now) {
   write_due_events(peer, now);
   const bool takes_turns = peer.limited() != nullptr && peer.outgoing_condition().up;

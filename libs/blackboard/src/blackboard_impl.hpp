@@ -128,6 +128,8 @@ class Blackboard::Impl {
   Freshness freshness_;
   Delays delayed_;
   Tally<DropKey> drops_{256};  ///< bounds the log lines about malformed samples
+  /// What came from peers in the same moment as words about links: those hold first.
+  std::vector<Arrival> behind_links_;
   std::vector<Incoming> out_;
   MissionTime latest_heard_;
   std::optional<routing::Forwarding> forwarding_;  ///< present if there are relays

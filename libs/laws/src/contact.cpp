@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "narrowest.hpp"
 #include "skein/journal/hand_on.hpp"
 #include "skein/journal/lines/radio.hpp"
 #include "skein/journal/lines/truth.hpp"
@@ -24,10 +25,15 @@ using journal::Written;
 /// What is heard may have been under way for so long [over one link].
 constexpr Duration kUnderWay = Duration::milliseconds(500);
 
+/// Where a link is narrow, behind so many others.
+constexpr int kBefore = 3;
+
 class ContactJudge {
  public:
   explicit ContactJudge(const scenario::Scenario& scenario)
-      : relays_(scenario.radio.relays.begin(), scenario.radio.relays.end()) {
+      : relays_(scenario.radio.relays.begin(), scenario.radio.relays.end()),
+        under_way_(kUnderWay +
+                   Duration::seconds(kBefore * airtime_of_an_event(scenario.radio).to_seconds())) {
     const std::vector<std::string> uavs = scenario.uav_names();
     nodes_.insert(uavs.begin(), uavs.end());
     nodes_.insert("ground");
@@ -62,7 +68,7 @@ class ContactJudge {
   bool may_be(const Contact& contact) const {
     for (std::size_t links = 1; links <= relays_.size() + 1; ++links) {
       const auto since =
-          contact.at - Duration::nanoseconds(kUnderWay.count() * static_cast<std::int64_t>(links));
+          contact.at - Duration::nanoseconds(under_way_.count() * static_cast<std::int64_t>(links));
       const auto carried = [&](const std::string& from, const std::string& to) {
         return links_.were_up(from, to, since, contact.at);
       };
@@ -77,6 +83,7 @@ class ContactJudge {
   }
 
   std::set<std::string> relays_, nodes_;
+  Duration under_way_;
   ToldLinks links_;
   std::vector<Contact> contacts_;
   bool is_mortal_ = false;

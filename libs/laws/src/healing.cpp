@@ -81,7 +81,8 @@ class Judge {
     message.sent = when.at;
     message.slot = line.slot;
   }
-  void hear(const lines::Route& line, const Written&) {
+  void hear(const lines::Route& line, const Written& when) {
+    relayed_[{when.node, line.peer}].push_back({when.at, !line.via.empty()});
     if (!line.via.empty()) relays_.insert(line.via);
   }
   void hear(const lines::Expired& line, const Written& when) {
@@ -159,9 +160,11 @@ class Judge {
     }
   }
 
-  /// One after the other: each is later by what went before it.
+  /// One after the other: each is later by what went before it. Who has a way past a relay keeps it
+  /// until the link is steady, and shares it with others.
   void judge_what_waited(const Channel& channel, MissionTime broken, MissionTime healed) {
-    MissionTime by = healed + limits_.healing;
+    const bool is_relayed = state(relayed_, channel, healed, false);
+    MissionTime by = healed + (is_relayed ? limits_.rerouting : limits_.healing);
     for (const auto& [sequence, message] : messages_[channel]) {
       const bool waited = message.sent < healed && message.sent != MissionTime() &&
                           (!message.settled || *message.settled > healed);
@@ -232,19 +235,13 @@ class Judge {
   MissionTime end_;
   bool others_are_up_ = true;  ///< links that no line is about
   std::map<Channel, std::vector<Change>> links_;
-  std::map<Channel, std::vector<Change>> reach_;  ///< from: who is reached; to: who says so
+  std::map<Channel, std::vector<Change>> reach_;    ///< from: who is reached; to: who says so
+  std::map<Channel, std::vector<Change>> relayed_;  ///< whether its samples go past a relay
   std::map<Channel, std::map<std::uint64_t, Message>> messages_;
   std::set<std::string> mortal_;  ///< who was killed
   std::set<std::string> relays_;  ///< past whom somebody has told that its samples go
   std::vector<std::string> breaches_;
 };
-
-/// Of one, and as much again of what shares the narrowest channel with it.
-Duration airtime_of_an_event(const scenario::RadioSpec& radio) {
-  constexpr double kEvent = 8.0 * 2 * 300;  // [bit] with its frame
-  const auto least = narrowest(radio);
-  return least ? Duration::seconds(kEvent / *least) : Duration();
-}
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "skein/foundation/time.hpp"
 #include "skein/scenario/scenario.hpp"
 
 namespace skein::laws {
@@ -17,6 +18,14 @@ inline std::optional<double> narrowest(const scenario::RadioSpec& radio) {
   note(radio.model.capacity);
   for (const scenario::LinkSpec& link : radio.links) note(link.capacity.value_or(0));
   return least;
+}
+
+/// Time on the narrowest link of an event, and as much again of what shares it; 0: all are
+/// unlimited.
+inline Duration airtime_of_an_event(const scenario::RadioSpec& radio) {
+  constexpr double kEvent = 8.0 * 2 * 300;  // [bit] with its frame
+  const auto least = narrowest(radio);
+  return least ? Duration::seconds(kEvent / *least) : Duration();
 }
 
 }  // namespace skein::laws

@@ -28,6 +28,10 @@ class ContactLog {
     scenario_.radio.relays.push_back(name);
     return *this;
   }
+  ContactLog& capacity(double bits_per_second) {
+    scenario_.radio.model.capacity = bits_per_second;
+    return *this;
+  }
   ContactLog& link(double at, const std::string& from, const std::string& to, bool up) {
     return add(at, "sim", journal::lines::Link{.from = from, .to = to, .up = up});
   }
@@ -71,6 +75,15 @@ TEST(Contacts, MayBeginWithWhatWasUnderWay) {
   EXPECT_THAT(ContactLog(log).contact(9.4, "b", "a").breaches(), IsEmpty());
   EXPECT_THAT(ContactLog(log).contact(9.6, "b", "a").breaches(), ElementsAre(HasSubstr("9.6 s")));
   EXPECT_THAT(ContactLog(log).link(20, "a", "b", true).contact(20, "b", "a").breaches(), IsEmpty());
+}
+
+// Found by random missions: a heartbeat waited at a relay of 9,600 bit/s until others had gone.
+TEST(Contacts, MayBeginLaterWhereTheRadioIsNarrow) {
+  ContactLog log;
+  log.capacity(9'600).link(0, "a", "b", true).link(9, "a", "b", false);
+
+  EXPECT_THAT(ContactLog(log).contact(10.9, "b", "a").breaches(), IsEmpty());
+  EXPECT_THAT(ContactLog(log).contact(11.1, "b", "a").breaches(), ElementsAre(HasSubstr("11.1 s")));
 }
 
 TEST(Contacts, OfLinksThatAreToldAllAtOnceAreNoneWhereNoOtherLineSaysSo) {

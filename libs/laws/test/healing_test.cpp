@@ -133,6 +133,28 @@ TEST(Healing, WhatWaitedBehindOthersOnANarrowChannelComesAfterThem) {
   EXPECT_THAT(come_each(0.4), ::testing::Contains(HasSubstr("TaskEvent 20 of 11 s")));
 }
 
+// Found by a random mission: with heartbeats every 2 s the way past the relay is kept for 10 s
+// more, and at 9,600 bit/s others use it too.
+TEST(Healing, WhatWaitsPastARelayMayComeAsLateAsAfterANewRoute) {
+  const auto with_route = [](double at, const std::string& via, double comes) {
+    return Log()
+        .cut(0, true)
+        .cut(10)
+        .message(12, "sent", 1)
+        .route(at, "a", "b", via)
+        .cut(30, true)
+        .reach(30, "b", "a", true)
+        .reach(30, "a", "b", true)
+        .message(comes, "received", 1)
+        .breaches();
+  };
+
+  EXPECT_THAT(with_route(20, "c", 48), IsEmpty());
+  EXPECT_THAT(with_route(20, "", 48), ElementsAre(HasSubstr("TaskEvent 1 of 12 s has not come")));
+  EXPECT_THAT(with_route(31, "c", 48), ElementsAre(HasSubstr("TaskEvent 1 of 12 s has not come")));
+  EXPECT_THAT(with_route(20, "c", 52), ElementsAre(HasSubstr("TaskEvent 1 of 12 s has not come")));
+}
+
 TEST(Healing, CountsACutOfOneDirection) {
   EXPECT_THAT(Log()
                   .cut(0, true)

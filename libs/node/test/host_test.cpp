@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "testing/hosts.hpp"
 
 namespace skein::node {
@@ -118,6 +120,24 @@ TEST_F(Hosts, OneLinkThatIsDownLeavesTheOthersAlone) {
 
   EXPECT_EQ((*this)["heliv"].diary.samples<wire::TaskRequest>().size(), 1U);
   EXPECT_EQ((*this)["marvin"].diary.samples<wire::SyncMessage>().size(), 1U);
+}
+
+// Found by random missions: the ground station was in contact for three heartbeats with UAVs that
+// were never in its reach.
+TEST_F(Hosts, WhatComesInTheMomentInWhichItsLinkIsToldToBeDownMakesNoContact) {
+  (*this)["marvin"].host->step(now());  // says that it is there
+  (*this)["heliv"].host->step(now());
+
+  set_link("ground", "marvin", false);
+  advance(5);
+
+  const auto met = (*this)["ground"].lines("reach");
+  EXPECT_EQ(std::ranges::count_if(
+                met, [](const std::string& line) { return line.find("marvin") != line.npos; }),
+            0);
+  EXPECT_EQ(std::ranges::count_if(
+                met, [](const std::string& line) { return line.find("heliv") != line.npos; }),
+            1);
 }
 
 TEST_F(Hosts, ALinkStateOfStrangersIsDisregarded) {

@@ -213,7 +213,8 @@ class Blackboard {
   /// has nothing to do. What it returns counts as handled by the node at the next call.
   std::vector<Incoming> step(Now now);
   /// step() in two halves, to be called one after the other: what arrived, then what is due. So a
-  /// LinkState that arrived can be applied, by set_condition(), before anything more is said.
+  /// LinkState that arrived can be applied, by set_condition(), before anything more is said, and
+  /// before what came from peers in the same moment: that is lost where the link is down.
   std::vector<Incoming> receive(Now now);
   std::vector<Incoming> act(Now now);
   /// Steady time at which step() is due even if nothing arrives.

@@ -20,7 +20,7 @@ struct HealingLimits {
   /// Cuts shorter than this need not be noticed: three heartbeats and two seconds.
   Duration noticed = Duration::seconds(5);
   /// Time after the last change of any link until routes past relays are final and waiting events
-  /// have been received.
+  /// have been received; also those that wait past a relay when the link is whole again.
   Duration rerouting = Duration::seconds(20);
 };
 
@@ -35,7 +35,8 @@ HealingLimits healing_limits(const scenario::Scenario& scenario);
 /// - healed: when both directions of a pair have come back and stay, then within `healing` both
 ///   nodes say that they reach the other, if they ever said that they do not;
 /// - caught up: an event sent before or during the cut was received, or told to be expired or lost,
-///   within `healing` of the return, and `each` for each one that waited before it;
+///   within `healing` of the return (`rerouting` where it goes past a relay then), and `each` for
+///   each one that waited before it;
 /// - none lost: at the log's end every event was received, or told to be expired or lost, but for
 ///   those between nodes of which one died or restarted, or whose link was down within `healing` of
 ///   the end; then past relays (nodes that `route` lines name, and that did not die) if there was a
