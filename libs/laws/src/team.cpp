@@ -132,16 +132,19 @@ bool is_repeatable(const History& history, std::int64_t number) {
   return repeatable;
 }
 
-// A repeatable task is sold again when who has it is silent for long, whether it is at it or not:
-// two may do it then, but nobody does it twice.
+// A repeatable task is sold again when who has it is silent for long, whether it is at it or not,
+// and every task when the operator says that who has it is lost, be that right or wrong: two may do
+// it then, but nobody does it twice.
 bool may_be_at_it_both(const History& history, std::int64_t number, const TeamWork& one,
                        const TeamWork& other) {
-  if (one.uav == other.uav || !is_repeatable(history, number)) return false;
+  if (one.uav == other.uav) return false;
+  const bool repeatable = is_repeatable(history, number);
   const TeamWork& first = one.sale < other.sale ? one : other;
   const auto& standings = history.team.tasks.at(number).standings;
   return std::any_of(standings.begin(), standings.end(), [&](const TeamStanding& standing) {
     return standing.sale == first.sale && standing.stage == "for-sale" &&
-           standing.why == first.uav + " was silent beyond its lease";
+           (standing.why == first.uav + " was declared lost" ||
+            (repeatable && standing.why == first.uav + " was silent beyond its lease"));
   });
 }
 
