@@ -18,14 +18,22 @@ Result<blackboard::SlotTable, Diagnostics> slots_of(const Scenario& scenario) {
                                      blackboard::SlotTable::shipped());
 }
 
+// An answer that is waited for must not expire on its way.
+blackboard::SlotTable with_words_of(const team::Config& team, const blackboard::SlotTable& slots) {
+  const Duration lifespan = team.limits.sale.answer_within;
+  return slots.with_lifespan(wire::Slot::kTeamMessage, lifespan)
+      .with_lifespan(wire::Slot::kTeamSale, lifespan);
+}
+
 }  // namespace
 
 node::Roster roster_of(const Scenario& scenario) {
   node::Roster roster = node::Roster(scenario.uav_names(), scenario.functional_layers())
                             .relayed_by(scenario.radio.relays);
-  if (!scenario.slots) return roster;
-  auto slots = slots_of(scenario);
-  return slots ? roster.with_slots(std::move(*slots)) : roster;
+  if (scenario.slots) {
+    if (auto slots = slots_of(scenario)) roster = roster.with_slots(std::move(*slots));
+  }
+  return scenario.team ? roster.with_slots(with_words_of(*scenario.team, roster.slots())) : roster;
 }
 
 node::RadioCapacity capacity_of(const Scenario& scenario) {

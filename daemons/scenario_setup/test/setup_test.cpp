@@ -70,6 +70,23 @@ TEST(Setup, ChannelsThatHeartbeatsFillAreNamedAllAtOnce) {
   EXPECT_THAT(to_text(problems), HasSubstr("confirmed.yaml"));
 }
 
+TEST(Setup, WordsOfATeamLiveAsLongAsAnAnswerIsWaitedFor) {
+  scenario::Scenario scenario = comets();
+  const auto lifespan = [&](wire::Slot slot) {
+    return *roster_of(scenario).slots().lifespans()[static_cast<std::size_t>(slot)];
+  };
+  const Duration alone = lifespan(wire::Slot::kTeamMessage);
+  const Duration of_air = lifespan(wire::Slot::kMergeMessage);
+  scenario.team.emplace().limits.sale.answer_within = Duration::seconds(9);
+
+  EXPECT_LT(alone, Duration::seconds(9));
+  EXPECT_EQ(lifespan(wire::Slot::kTeamMessage), Duration::seconds(9));
+  EXPECT_EQ(lifespan(wire::Slot::kTeamSale), Duration::seconds(9));
+  EXPECT_EQ(lifespan(wire::Slot::kMergeMessage), of_air);
+  scenario.team->limits.sale.answer_within = Duration::seconds(1);
+  EXPECT_EQ(lifespan(wire::Slot::kTeamMessage), alone);
+}
+
 TEST(Setup, WhatIsWrongInTheTableOfSlotsIsAmongTheProblemsOfEveryDaemon) {
   scenario::Scenario scenario = comets();
   config::Value row, table, document;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/blackboard/slot_table.hpp"
 
+#include <algorithm>
+
 #include "shipped_slots.hpp"
 #include "skein/foundation/contract.hpp"
 
@@ -52,6 +54,13 @@ std::vector<wire::Slot> SlotTable::of_world() const {
       if (from == Party::kWorld || to == Party::kWorld) return true;
     return false;
   });
+}
+
+SlotTable SlotTable::with_lifespan(wire::Slot slot, Duration at_least) const {
+  SlotTable other = *this;
+  auto& lifespan = other.lifespans_[static_cast<std::size_t>(slot)];
+  if (lifespan) lifespan = std::max(*lifespan, at_least);
+  return other;
 }
 
 }  // namespace skein::blackboard

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "narrowest.hpp"
+#include "airtime.hpp"
 #include "skein/journal/hand_on.hpp"
 #include "skein/journal/lines/radio.hpp"
 #include "skein/journal/lines/truth.hpp"

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "checks.hpp"
-#include "narrowest.hpp"
+#include "skein/scenario/narrowest.hpp"
 #include "statement.hpp"
 
 namespace skein::laws {
@@ -168,7 +168,7 @@ double on_the_air(const scenario::RadioSpec& radio, std::uint64_t arcs) {
   constexpr double kUsual = 2'500;              // [byte] a network of some twenty tasks, told whole
   constexpr double kArc = 32, kCarrying = 1.5;  // [byte]; of what goes in parts
   const double bytes = std::max(kUsual, static_cast<double>(arcs) * kArc * kCarrying);
-  return 8.0 * 2 * bytes / narrowest(radio).value_or(kNever);
+  return 8.0 * 2 * bytes / scenario::narrowest(radio).value_or(kNever);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "read_missions.hpp"
+#include "skein/scenario/narrowest.hpp"
 
 namespace skein::scenario {
 
@@ -16,11 +17,19 @@ using mission::MissionId;
 constexpr std::int64_t kGreatestNumber = 2'000'000'000;
 
 /// In the air every round of a sale is a message and its answer on the radio.
-auction::SaleLimits sale_limits() {
-  auction::SaleLimits limits;
-  limits.trade = 3;
-  limits.patience = 8;
-  limits.most_rounds = 60;
+/// Unless the scenario says otherwise. A word of a sale may go past a relay, both ways, beside what
+/// else the radio carries: all wait longer where its narrowest link is narrow.
+auction::TeamLimits limits_over(const RadioSpec& radio) {
+  constexpr double kWord = 8'000;  // [bit]
+  const auto least = narrowest(radio);
+  const double airtime = least ? kWord / *least : 0;  // [s]
+  auction::TeamLimits limits;
+  limits.sale.trade = 3;
+  limits.sale.patience = 8;
+  limits.sale.most_rounds = 60;
+  limits.sale.answer_within = Duration::seconds(2 + 8 * airtime);
+  limits.beat = Duration::seconds(1 + 2 * airtime);
+  limits.patience = Duration::seconds(4 + 8 * airtime);
   return limits;
 }
 
@@ -115,12 +124,10 @@ bool in_team(const Scenario& scenario, const std::string& uav) {
 }
 
 std::optional<team::Config> read_team(const Reader& reader, const Names& names,
-                                      std::uint64_t seed) {
+                                      const RadioSpec& radio, std::uint64_t seed) {
   if (!reader.present()) return std::nullopt;
   team::Config config;
-  config.limits.sale = sale_limits();
-  config.limits.beat = Duration::seconds(1);
-  config.limits.patience = Duration::seconds(4);
+  config.limits = limits_over(radio);
   config.seed = seed;
   if (!reader.keys({"members", "ground", "lease", "patience", "beat", "ahead", "equity"})) {
     return config;

@@ -52,7 +52,7 @@ std::shared_ptr<const interaction::Library> read_interaction(const config::Reade
                                                              Diagnostics& problems);
 /// Absent: the scenario has no team.
 std::optional<team::Config> read_team(const config::Reader& reader, const Names& names,
-                                      std::uint64_t seed);
+                                      const RadioSpec& radio, std::uint64_t seed);
 void read_variations(const config::Reader& reader, Variations& variations);
 void read_pps(const config::Reader& reader, ground_station::PpsConfig& pps);
 /// The objects that the ground station tracks; each is assumed at the place of the same name.

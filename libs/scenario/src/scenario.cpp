@@ -120,7 +120,7 @@ void read_all(const Reader& reader, const std::string& folder, Diagnostics& diag
   scenario.slots = slots_of(reader.optional("slots"));
   scenario.planning = read_planning(reader.optional("planning"), folder, names);
   scenario.interaction = read_interaction(reader.optional("interaction"), folder, diagnostics);
-  scenario.team = read_team(reader.optional("team"), names, scenario.seed);
+  scenario.team = read_team(reader.optional("team"), names, scenario.radio, scenario.seed);
   scenario.separation = read_separation(reader.optional("separation"));
   check_degrees(reader.required("uavs"), scenario);
   read_ground(reader.required("ground"), scenario);

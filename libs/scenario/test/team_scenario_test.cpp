@@ -48,6 +48,23 @@ TEST(TeamScenario, MembersAndLimitsAreAsTheyAreGiven) {
   EXPECT_EQ(scenario.team->limits.aim.equity, 0.3);
 }
 
+// At 9,600 bit/s a kilobyte takes 0.83 s, and a sale that allows 2 s for an answer sells nothing.
+TEST(TeamScenario, WhoShareANarrowRadioWaitLongerForEachOther) {
+  const auto over = [](const std::string& radio, const std::string& team) {
+    return read_valid(with_team(team, "{finish: true}") + "radio: " + radio + "\n").team->limits;
+  };
+  const auction::TeamLimits wide = over("{}", "{}");
+  const auction::TeamLimits narrow = over("{capacity: 8000}", "{}");
+
+  EXPECT_EQ(wide.sale.answer_within, Duration::seconds(2));
+  EXPECT_EQ(wide.beat, Duration::seconds(1));
+  EXPECT_EQ(wide.patience, Duration::seconds(4));
+  EXPECT_EQ(narrow.sale.answer_within, Duration::seconds(10));
+  EXPECT_EQ(narrow.beat, Duration::seconds(3));
+  EXPECT_EQ(narrow.patience, Duration::seconds(12));
+  EXPECT_EQ(over("{capacity: 8000}", "{beat: 1}").beat, Duration::seconds(1));
+}
+
 TEST(TeamScenario, AGlobalMissionHasTasksWithTheirPlacesAndTheOperatorsWishes) {
   const Scenario scenario = read_valid(with_team(
       "{}",
@@ -112,8 +129,8 @@ TEST(TeamScenario, ATaskSaysWhatEachOfItsMembersNeeds) {
   using interaction::Requirement;
   EXPECT_THAT(mission_of(scenario).mission.tasks[0].needs,
               ElementsAre(Requirement{"hovering", {}}, Requirement{"camera", "ir"},
-                          Requirement{"payload", Requirement::Bound{
-                                                     interaction::Relation::kAtLeast, 2.5}}));
+                          Requirement{"payload",
+                                      Requirement::Bound{interaction::Relation::kAtLeast, 2.5}}));
   EXPECT_THAT(errors_of(with_needs("['payload >= much']")),
               AllOf(HasSubstr("tasks[0].needs[0]"), HasSubstr("is no condition")));
 }

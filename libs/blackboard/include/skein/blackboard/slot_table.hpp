@@ -41,6 +41,8 @@ class SlotTable {
   std::vector<wire::Slot> of_world() const;
   const SlotShares& shares() const { return shares_; }
   const SlotLifespans& lifespans() const { return lifespans_; }
+  /// Events of this slot live at least so long; without effect on one whose events live for ever.
+  SlotTable with_lifespan(wire::Slot slot, Duration at_least) const;
 
  private:
   friend class SlotTableReader;
