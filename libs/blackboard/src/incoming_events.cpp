@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "outgoing_events.hpp"
+
 namespace skein::blackboard {
 namespace {
 
@@ -73,7 +75,7 @@ void IncomingEvents::deliver(ChannelKind kind, MissionTime now, std::vector<Inco
     const NodeNumber origin(header.origin);
     if (header.expires >= now.count()) {
       out.emplace_back(Received{origin, kind, std::move(*first->second)});
-    } else if (header.expires != std::numeric_limits<std::int64_t>::min()) {
+    } else if (header.expires != kLongAgo) {
       out.emplace_back(EventExpired{wire::slot_of(*first->second), origin,
                                     NodeNumber(header.destination), header.sequence_number,
                                     header.incarnation});

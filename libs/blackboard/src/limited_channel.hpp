@@ -53,7 +53,11 @@ class LimitedChannel {
   std::vector<wire::Sample> let_go();
   /// Queues an event, part or heartbeat that goes past a relay.
   void pass(wire::Sample sample) { passing_.put(std::move(sample)); }
-  const wire::Sample* first_passing() const { return passing_.first(); }
+  /// None that has expired.
+  const wire::Sample* first_passing(MissionTime now) {
+    passing_.drop_expired(now);
+    return passing_.first();
+  }
   wire::Sample take_passing() { return passing_.take(); }
   /// Number of values that were replaced by newer ones before they were written.
   std::uint64_t shed() const { return shed_; }

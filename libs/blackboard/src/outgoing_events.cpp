@@ -14,9 +14,6 @@ namespace skein::blackboard {
 
 namespace {
 
-/// Expired before any time.
-constexpr std::int64_t kLongAgo = std::numeric_limits<std::int64_t>::min();
-
 /// Leaves the event's place in the sequence, and nothing that it said: a narrow channel has better
 /// to carry.
 void bury(wire::Sample& event) {

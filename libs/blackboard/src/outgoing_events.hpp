@@ -3,12 +3,17 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "skein/blackboard/blackboard.hpp"
 
 namespace skein::blackboard {
+
+/// When an event expires [ns] whose content is gone: it has expired behind one that still waits,
+/// and keeps its place in the sequence.
+inline constexpr std::int64_t kLongAgo = std::numeric_limits<std::int64_t>::min();
 
 /// Keeps every event until the peer has acknowledged it or it has expired, and decides what is
 /// written when. At most kEventDepth events are under way at once, which every transport keeps; the

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "outgoing_events.hpp"
 #include "skein/blackboard/transport.hpp"
 #include "skein/foundation/contract.hpp"
 
@@ -29,7 +30,8 @@ void PassingSamples::put(wire::Sample sample) {
     return;
   }
   const auto same = [&](const wire::Sample& one) { return is_the_same(one, sample); };
-  if (std::ranges::any_of(pair.events, same)) return;
+  if (const auto waits = std::ranges::find_if(pair.events, same); waits != pair.events.end())
+    return void(*waits = std::move(sample));
   pair.events.push_back(std::move(sample));
   if (++events_ > kEventDepth) drop_one();
 }
@@ -41,9 +43,24 @@ void PassingSamples::drop_one() {
   const auto most = std::ranges::max_element(pairs_, fewer);
   most->second.events.pop_front();
   --events_;
-  if (!most->second.events.empty() || most->second.heartbeat) return;
-  std::erase(turns_, most->first);
-  pairs_.erase(most);
+  forget_if_empty(most->first);
+}
+
+void PassingSamples::drop_expired(MissionTime now) {
+  for (const Ends& ends : std::deque<Ends>(turns_)) {
+    events_ -= std::erase_if(pairs_.at(ends).events, [&](const wire::Sample& one) {
+      const std::int64_t expires = wire::header_of(one).expires;
+      return expires < now.count() && expires != kLongAgo;
+    });
+    forget_if_empty(ends);
+  }
+}
+
+void PassingSamples::forget_if_empty(Ends ends) {
+  const Pair& pair = pairs_.at(ends);
+  if (!pair.events.empty() || pair.heartbeat) return;
+  std::erase(turns_, ends);
+  pairs_.erase(ends);
 }
 
 const wire::Sample* PassingSamples::first() const {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "skein/blackboard/wire.hpp"
+#include "skein/foundation/time.hpp"
 
 namespace skein::blackboard {
 
@@ -19,9 +20,12 @@ namespace skein::blackboard {
 /// before its events: it says all that those before it said. Memory: kEventDepth events in all.
 class PassingSamples {
  public:
-  /// An event that waits already, which its author repeats, is not queued again. If there are too
-  /// many, the oldest of the pair with the most is dropped; its author sends it again.
+  /// An event that waits already, which its author repeats, takes its own place: it may be empty
+  /// since it has expired. If there are too many, the oldest of the pair with the most is dropped;
+  /// its author sends it again.
   void put(wire::Sample sample);
+  /// Drops what would come too late: its author says so, or sends it again empty.
+  void drop_expired(MissionTime now);
   bool empty() const { return pairs_.empty(); }
   /// The next one; null if none waits. Valid until the next call of another function.
   const wire::Sample* first() const;
@@ -36,6 +40,7 @@ class PassingSamples {
     std::deque<wire::Sample> events;
   };
   void drop_one();
+  void forget_if_empty(Ends ends);
 
   std::map<Ends, Pair> pairs_;  ///< those for which anything waits
   std::deque<Ends> turns_;      ///< of all pairs, the next one first

@@ -378,7 +378,7 @@ std::optional<wire::Sample> Peer::take_next(Now now) {
   if (!limited_ || !out_condition_.up || now.steady < limited_->free_at()) return std::nullopt;
   const bool has_own = !recalled_ && relays_ == 0;
   const wire::Sample* own = has_own ? known().outgoing.first_due(now, round_trip()) : nullptr;
-  const wire::Sample* passing = limited_->first_passing();
+  const wire::Sample* passing = limited_->first_passing(now.mission);
   const bool passes = passing != nullptr && (own == nullptr || turn_of_passing_);
   const wire::Sample* event = passes ? passing : own;
   std::optional<wire::Sample> part;

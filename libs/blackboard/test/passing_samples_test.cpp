@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ wire::Sample between(std::uint32_t origin, std::uint32_t destination, std::uint6
   header.origin = origin;
   header.destination = destination;
   header.sequence_number = number;
+  header.expires = wire::kNever;
   return sample;
 }
 
@@ -68,6 +70,41 @@ TEST(PassingSamples, WhatItsAuthorSaysAgainMeanwhileWaitsOnce) {
   passing.put(between(5, 1, 1));
 
   EXPECT_THAT(taken(passing), ElementsAre("5>1 #1", "5>1 #2"));
+}
+
+// Found by a random mission: at 9,600 bit/s a UAV's words about air, which live 2 s, waited longer
+// than that behind each other, and nothing else of it came through for half an hour.
+TEST(PassingSamples, WhatHasExpiredMakesWay) {
+  const auto until = [](std::uint64_t number, std::int64_t expires) {
+    wire::Sample sample = between(5, 1, number);
+    wire::header_of(sample).expires = expires;
+    return sample;
+  };
+  PassingSamples passing;
+  passing.put(until(1, 10));
+  passing.put(until(2, 30));
+  passing.put(until(3, 10));
+  passing.put(between(5, 1, 7, wire::Heartbeat{}));
+  passing.drop_expired(MissionTime::nanoseconds(20));
+
+  EXPECT_THAT(taken(passing), ElementsAre("5>1 beat 7", "5>1 #2"));
+  passing.put(until(4, 30));
+  passing.drop_expired(MissionTime::nanoseconds(40));
+  EXPECT_TRUE(passing.empty());
+}
+
+// Its receiver waits for nothing behind it.
+TEST(PassingSamples, AnEmptyPlaceOfTheSequenceDoesNotExpireAndTakesThatOfItsContent) {
+  PassingSamples passing;
+  passing.put(between(5, 1, 1, sync_message(77)));
+  passing.put(between(5, 1, 2));
+  wire::Sample empty = between(5, 1, 1);
+  wire::header_of(empty).expires = std::numeric_limits<std::int64_t>::min();
+  passing.put(empty);
+  passing.drop_expired(MissionTime::seconds(1e6));
+
+  EXPECT_EQ(passing.take(), empty);
+  EXPECT_THAT(taken(passing), ElementsAre("5>1 #2"));
 }
 
 TEST(PassingSamples, WhoHasSavedUpMostLosesTheOldest) {
