@@ -40,27 +40,24 @@ void PassingSamples::drop_one() {
   const auto fewer = [](const auto& a, const auto& b) {
     return a.second.events.size() < b.second.events.size();
   };
-  const auto most = std::ranges::max_element(pairs_, fewer);
-  most->second.events.pop_front();
+  std::ranges::max_element(pairs_, fewer)->second.events.pop_front();
   --events_;
-  forget_if_empty(most->first);
+  forget_empty();
 }
 
 void PassingSamples::drop_expired(MissionTime now) {
-  for (const Ends& ends : std::deque<Ends>(turns_)) {
-    events_ -= std::erase_if(pairs_.at(ends).events, [&](const wire::Sample& one) {
-      const std::int64_t expires = wire::header_of(one).expires;
-      return expires < now.count() && expires != kLongAgo;
-    });
-    forget_if_empty(ends);
-  }
+  const auto has_expired = [now](const wire::Sample& one) {
+    const std::int64_t expires = wire::header_of(one).expires;
+    return expires < now.count() && expires != kLongAgo;
+  };
+  for (auto& [ends, pair] : pairs_) events_ -= std::erase_if(pair.events, has_expired);
+  forget_empty();
 }
 
-void PassingSamples::forget_if_empty(Ends ends) {
-  const Pair& pair = pairs_.at(ends);
-  if (!pair.events.empty() || pair.heartbeat) return;
-  std::erase(turns_, ends);
-  pairs_.erase(ends);
+void PassingSamples::forget_empty() {
+  std::erase_if(pairs_,
+                [](const auto& one) { return one.second.events.empty() && !one.second.heartbeat; });
+  std::erase_if(turns_, [this](const Ends& ends) { return !pairs_.contains(ends); });
 }
 
 const wire::Sample* PassingSamples::first() const {
@@ -71,9 +68,9 @@ const wire::Sample* PassingSamples::first() const {
 
 wire::Sample PassingSamples::take() {
   SKEIN_EXPECTS(!empty());
-  const Ends ends = turns_.front();
+  turns_.push_back(turns_.front());
   turns_.pop_front();
-  Pair& pair = pairs_.at(ends);
+  Pair& pair = pairs_.at(turns_.back());
   wire::Sample first = pair.heartbeat ? std::move(*pair.heartbeat) : std::move(pair.events.front());
   if (pair.heartbeat) {
     pair.heartbeat.reset();
@@ -81,11 +78,7 @@ wire::Sample PassingSamples::take() {
     pair.events.pop_front();
     --events_;
   }
-  if (pair.events.empty()) {
-    pairs_.erase(ends);
-  } else {
-    turns_.push_back(ends);
-  }
+  forget_empty();
   return first;
 }
 

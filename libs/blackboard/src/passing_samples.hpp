@@ -40,7 +40,8 @@ class PassingSamples {
     std::deque<wire::Sample> events;
   };
   void drop_one();
-  void forget_if_empty(Ends ends);
+  /// The pairs for which nothing waits any more.
+  void forget_empty();
 
   std::map<Ends, Pair> pairs_;  ///< those for which anything waits
   std::deque<Ends> turns_;      ///< of all pairs, the next one first
