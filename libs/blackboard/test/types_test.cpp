@@ -10,21 +10,20 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "adapters/cyclonedds/qos.hpp"
 #include "adapters/cyclonedds/settings.hpp"
-#include "adapters/cyclonedds/type_description.hpp"
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/blackboard/dds_transport.hpp"
-#include "skein/blackboard/dds_type.hpp"
 #include "skein/blackboard/domain_lease.hpp"
 #include "testing/foreign_writer.hpp"
 
@@ -40,15 +39,36 @@ Now now() {
   return {{}, Duration::nanoseconds(std::chrono::nanoseconds(since).count())};
 }
 
+/// That something came, to any of those who share it.
+class Bell {
+ public:
+  void ring() {
+    const std::lock_guard lock(mutex_);
+    rung_ = true;
+    wake_.notify_one();
+  }
+  void wait_until(std::chrono::steady_clock::time_point at_most) {
+    std::unique_lock lock(mutex_);
+    wake_.wait_until(lock, at_most, [this] { return rung_; });
+    rung_ = false;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool rung_ = false;
+};
+
 /// A node on the radio between marvin and the ground station.
 class OneOfUs {
  public:
-  OneOfUs(std::uint32_t domain, const Node& self, DdsVendor dds, bool types) {
+  OneOfUs(std::uint32_t domain, Bell& bell, const Node& self, DdsVendor dds, bool types) {
     DdsConfig config;
     config.domain = domain;
     config.network.dds = dds;
     config.network.types = types;
     transport_ = make_dds_transport(std::move(config));
+    transport_->on_arrival([&bell] { bell.ring(); });
     Config settings;
     settings.self = self.number;
     settings.channels = station_link(kGround, kMarvin);
@@ -56,6 +76,10 @@ class OneOfUs {
         std::make_unique<Blackboard>(Blackboard::open(std::move(settings), *transport_).value());
   }
   Blackboard& operator*() { return *blackboard_; }
+  std::chrono::steady_clock::time_point next_step() const {
+    const Duration next = blackboard_->next_wakeup().value_or(now().steady + Duration::seconds(1));
+    return std::chrono::steady_clock::time_point(std::chrono::nanoseconds(next.count()));
+  }
   void step() {
     for (Incoming& incoming : blackboard_->step(now()))
       if (auto* received = std::get_if<Received>(&incoming)) samples.push_back(received->sample);
@@ -82,15 +106,18 @@ using Descriptor = std::unique_ptr<dds_topic_descriptor_t, FreeDescriptor>;
 /// it knows of types it was told by the network.
 class Foreign {
  public:
-  explicit Foreign(std::uint32_t domain) {
+  Foreign(std::uint32_t domain, Bell& bell)
+      : rings_(dds_create_listener(&bell), &dds_delete_listener) {
+    dds_lset_data_available(rings_.get(),
+                            [](dds_entity_t, void* to) { static_cast<Bell*>(to)->ring(); });
     DdsConfig config;
     config.domain = domain;
     const std::uint32_t number = next_foreign_number();
     const dds_domainid_t id = 9000 + number;
     domain_ = made(dds_create_domain(id, cyclonedds::settings(config, number).c_str()));
     participant_ = made(dds_create_participant(id, nullptr, nullptr));
-    writers_ =
-        made(dds_create_reader(participant_, DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr));
+    writers_ = made(
+        dds_create_reader(participant_, DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, rings_.get()));
   }
   Foreign(const Foreign&) = delete;
   Foreign& operator=(const Foreign&) = delete;
@@ -120,7 +147,7 @@ class Foreign {
     const dds_entity_t subscriber = made(
         dds_create_subscriber(participant_, cyclonedds::partition_qos(partition).get(), nullptr));
     return made(dds_create_reader(
-        subscriber, topic, cyclonedds::reader_qos(slot, ChannelKind::kRadio).get(), nullptr));
+        subscriber, topic, cyclonedds::reader_qos(slot, ChannelKind::kRadio).get(), rings_.get()));
   }
   /// Whether something came; the sample is lent until the reader ends.
   template <class T>
@@ -147,7 +174,8 @@ class Foreign {
     return Descriptor(found);
   }
 
-  dds_entity_t domain_, participant_ = 0, writers_ = 0;
+  std::unique_ptr<dds_listener_t, decltype(&dds_delete_listener)> rings_;
+  dds_entity_t domain_ = 0, participant_ = 0, writers_ = 0;
 };
 
 wire::MissionPlan plan_of_two() {
@@ -173,26 +201,38 @@ wire::TaskRequest request_of_one() {
 
 class AnnouncedTypes : public ::testing::Test {
  protected:
-  bool run_until(const std::function<bool()>& condition, std::vector<OneOfUs*> nodes) const {
+  OneOfUs of_us(const Node& self, DdsVendor dds = DdsVendor::kCycloneDds, bool types = true) {
+    return {lease_.domain(), bell_, self, dds, types};
+  }
+  bool run_until(const std::function<bool()>& condition, std::vector<OneOfUs*> nodes) {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
     while (std::chrono::steady_clock::now() < deadline) {
       for (OneOfUs* const node : nodes) node->step();
       if (condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      auto due = deadline;
+      for (const OneOfUs* const node : nodes) due = std::min(due, node->next_step());
+      bell_.wait_until(due);
     }
     return false;
   }
+  /// What `foreign` was told of the topic's type, which `node` announces; null: nothing.
+  const dds_topic_descriptor_t* find_type(Foreign& foreign, const char* topic, OneOfUs& node) {
+    const bool found =
+        run_until([&] { return foreign.look(), foreign.types.contains(topic); }, {&node});
+    return found ? foreign.types.at(topic).get() : nullptr;
+  }
 
   DomainLease lease_ = claim_domain().value();
+  Bell bell_;
 };
 
 TEST_F(AnnouncedTypes, AForeignProgramReadsAStateByThem) {
-  OneOfUs marvin(lease_.domain(), kMarvin, DdsVendor::kCycloneDds, true);
-  Foreign foreign(lease_.domain());
+  OneOfUs marvin = of_us(kMarvin);
+  Foreign foreign(lease_.domain(), bell_);
   ASSERT_TRUE((*marvin).send(plan_of_two(), kGround.number, now()));
-  ASSERT_TRUE(
-      run_until([&] { return foreign.look(), foreign.types.contains("MissionPlan"); }, {&marvin}));
-  const dds_topic_descriptor_t& type = *foreign.types.at("MissionPlan");
+  const dds_topic_descriptor_t* const found = find_type(foreign, "MissionPlan", marvin);
+  ASSERT_NE(found, nullptr);
+  const dds_topic_descriptor_t& type = *found;
   ASSERT_STREQ(type.m_typename, "skein::idl::MissionPlan");
   ASSERT_EQ(type.m_size, sizeof(skein_idl_MissionPlan));
   ASSERT_EQ(type.m_nkeys, 3U);
@@ -212,12 +252,12 @@ TEST_F(AnnouncedTypes, AForeignProgramReadsAStateByThem) {
 }
 
 TEST_F(AnnouncedTypes, AForeignProgramReadsAnEventByThem) {
-  OneOfUs ground(lease_.domain(), kGround, DdsVendor::kCycloneDds, true);
-  Foreign foreign(lease_.domain());
+  OneOfUs ground = of_us(kGround);
+  Foreign foreign(lease_.domain(), bell_);
   ASSERT_TRUE((*ground).send(request_of_one(), kMarvin.number, now()));
-  ASSERT_TRUE(
-      run_until([&] { return foreign.look(), foreign.types.contains("TaskRequest"); }, {&ground}));
-  const dds_topic_descriptor_t& type = *foreign.types.at("TaskRequest");
+  const dds_topic_descriptor_t* const found = find_type(foreign, "TaskRequest", ground);
+  ASSERT_NE(found, nullptr);
+  const dds_topic_descriptor_t& type = *found;
   ASSERT_EQ(type.m_size, sizeof(skein_idl_TaskRequest));
 
   const dds_entity_t reader = foreign.reader(type, wire::Slot::kTaskRequest, "radio/ground>marvin");
@@ -233,8 +273,8 @@ TEST_F(AnnouncedTypes, AForeignProgramReadsAnEventByThem) {
 }
 
 TEST_F(AnnouncedTypes, ThereAreNoneUnlessAskedFor) {
-  OneOfUs marvin(lease_.domain(), kMarvin, DdsVendor::kCycloneDds, false);
-  Foreign foreign(lease_.domain());
+  OneOfUs marvin = of_us(kMarvin, DdsVendor::kCycloneDds, false);
+  Foreign foreign(lease_.domain(), bell_);
   ASSERT_TRUE((*marvin).send(plan_of_two(), kGround.number, now()));
 
   ASSERT_TRUE(
@@ -246,8 +286,8 @@ TEST_F(AnnouncedTypes, ThereAreNoneUnlessAskedFor) {
 // It announces a type of its own, in which the header is a base: Cyclone DDS writes past its memory
 // when it compares that with another, in every program that does.
 TEST_F(AnnouncedTypes, AProgramMadeFromTheIdlReadsUsAsBefore) {
-  OneOfUs marvin(lease_.domain(), kMarvin, DdsVendor::kCycloneDds, true);
-  Foreign foreign(lease_.domain());
+  OneOfUs marvin = of_us(kMarvin);
+  Foreign foreign(lease_.domain(), bell_);
   const dds_entity_t everywhere =
       foreign.reader(skein_idl_MissionPlan_desc, wire::Slot::kMissionPlan, "*");
 
@@ -259,8 +299,8 @@ TEST_F(AnnouncedTypes, AProgramMadeFromTheIdlReadsUsAsBefore) {
 }
 
 TEST_F(AnnouncedTypes, NodesOnFastDdsTalkAsBefore) {
-  OneOfUs marvin(lease_.domain(), kMarvin, DdsVendor::kCycloneDds, true);
-  OneOfUs ground(lease_.domain(), kGround, DdsVendor::kFastDds, false);
+  OneOfUs marvin = of_us(kMarvin);
+  OneOfUs ground = of_us(kGround, DdsVendor::kFastDds, false);
 
   ASSERT_TRUE((*ground).send(request_of_one(), kMarvin.number, now()));
   ASSERT_TRUE((*marvin).send(plan_of_two(), kGround.number, now()));
@@ -272,9 +312,9 @@ TEST_F(AnnouncedTypes, NodesOnFastDdsTalkAsBefore) {
 
 // Somebody announces what he likes under the name of ours.
 TEST_F(AnnouncedTypes, WhatOthersAnnounceDecidesNothing) {
-  OneOfUs marvin(lease_.domain(), kMarvin, DdsVendor::kCycloneDds, true);
-  OneOfUs ground(lease_.domain(), kGround, DdsVendor::kCycloneDds, true);
-  Foreign foreign(lease_.domain());
+  OneOfUs marvin = of_us(kMarvin);
+  OneOfUs ground = of_us(kGround);
+  Foreign foreign(lease_.domain(), bell_);
   dds_topic_descriptor_t liar = skein_idl_TaskRequest_desc;
   liar.m_typename = "skein::idl::MissionPlan";
   foreign.reader(liar, wire::Slot::kMissionPlan, "*");

@@ -7,11 +7,9 @@
 #include <atomic>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
-#include "adapters/rtps/link.hpp"
 #include "adapters/rtps/links.hpp"
 #include "adapters/rtps/participant_number.hpp"
 #include "adapters/rtps/ports.hpp"
@@ -59,7 +57,7 @@ class CycloneDdsTransport::Impl {
   /// A participant, or negative.
   dds_entity_t make_participant() const;
   /// Of what the node writes.
-  Result<void, Failure> announce(const TransportPlan& plan) const;
+  Result<void, Failure> announce() const;
 
   const dds_domainid_t id_ = next_domain();
   DdsConfig config_;
@@ -130,14 +128,9 @@ Result<void, Failure> CycloneDdsTransport::Impl::join(const rtps::Pace& pace) {
                  (said_.empty() ? std::string(dds_strretcode(watches)) : said_));
 }
 
-Result<void, Failure> CycloneDdsTransport::Impl::announce(const TransportPlan& plan) const {
+Result<void, Failure> CycloneDdsTransport::Impl::announce() const {
   if (!config_.network.types) return {};
-  std::set<wire::Slot> written;
-  for (std::size_t i = 0; i < plan.channels.size(); ++i) {
-    const std::vector<wire::Slot> writes = rtps::plan_link(plan, i, config_).writes;
-    written.insert(writes.begin(), writes.end());
-  }
-  const dds_return_t announced = cyclonedds::announce_types(participant_, written);
+  const dds_return_t announced = cyclonedds::announce_types(participant_, links_.written());
   if (announced >= 0) return {};
   return failure(std::string("Cyclone DDS does not announce the types: ") +
                  dds_strretcode(announced));
@@ -148,7 +141,7 @@ Result<void, Failure> CycloneDdsTransport::Impl::open(const TransportPlan& plan)
   if (auto checked = rtps::check(config_.network); !checked) return checked;
   links_.plan(plan, config_);
   if (auto joined = join(rtps::pace_of(plan)); !joined) return joined;
-  if (auto announced = announce(plan); !announced) return announced;
+  if (auto announced = announce(); !announced) return announced;
   return links_.open([this](std::size_t channel, const rtps::LinkPlan& link) {
     return std::make_unique<cyclonedds::ChannelEndpoints>(participant_, topics_, link, channel,
                                                           links_.mailbox(), links_.matches());

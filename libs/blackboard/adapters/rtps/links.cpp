@@ -25,6 +25,12 @@ void Links::plan(const TransportPlan& plan, const DdsConfig& config) {
   scouts_ = scouts_of(plans_, config);
 }
 
+std::set<wire::Slot> Links::written() const {
+  std::set<wire::Slot> slots;
+  for (const LinkPlan& plan : plans_) slots.insert(plan.writes.begin(), plan.writes.end());
+  return slots;
+}
+
 Result<void, Failure> Links::open(const Make& make) {
   SKEIN_EXPECTS(links_.empty());
   for (std::size_t i = 0; i < plans_.size(); ++i)

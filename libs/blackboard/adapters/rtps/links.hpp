@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "adapters/rtps/awaited_writers.hpp"
@@ -26,6 +27,8 @@ class Links {
 
   /// Once, before the middleware tells of others.
   void plan(const TransportPlan& plan, const DdsConfig& config);
+  /// The slots that the node writes, on any channel; known once it is planned.
+  std::set<wire::Slot> written() const;
   /// Once, after it: all channels, with the endpoints that the vendor makes.
   Result<void, Failure> open(const Make& make);
 
