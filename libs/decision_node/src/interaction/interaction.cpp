@@ -272,7 +272,10 @@ void Interaction::carry_out(const interaction::SendSessionMessage& effect) {
 void Interaction::carry_out(const interaction::InvitedToNegotiate& effect) {
   JointTask* task = about(effect.terms.subject);
   // Who is no member of the joint task asks nothing of it.
-  const auto is_asked = [&](const std::string& uav) { return task->asks(uav); };
+  const auto is_asked = [&](const std::string& uav) {
+    const std::vector<std::string>& asked = task->asked().members;
+    return std::ranges::find(asked, uav) != asked.end();
+  };
   if (task != nullptr && !std::ranges::all_of(effect.terms.members, is_asked)) {
     return carry_out(
         interaction::MessageRejected{effect.terms.opener, effect.terms.subject,

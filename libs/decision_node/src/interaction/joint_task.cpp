@@ -69,10 +69,6 @@ std::vector<std::string> JointTask::partners() const {
   return others;
 }
 
-bool JointTask::asks(const std::string& uav) const {
-  return std::ranges::binary_search(asked_.members, uav);
-}
-
 Outlook JointTask::outlook() const {
   const auto world = host_.world();  // is kept until the next input
   return {*host_.config().knowledge, *world,

@@ -75,8 +75,6 @@ class JointTask {
   void leave_at_once(const std::string& why);
   /// All members that were asked for it, except this UAV.
   std::vector<std::string> partners() const;
-  /// Whether `uav` was asked for it.
-  bool asks(const std::string& uav) const;
   /// The input for computing places and costs.
   Outlook outlook() const;
   /// Ends it in this phase. Precondition: its role is over, or not begun.
