@@ -131,13 +131,13 @@ TEST_F(Hosts, WhatComesInTheMomentInWhichItsLinkIsToldToBeDownMakesNoContact) {
   set_link("ground", "marvin", false);
   advance(5);
 
-  const auto met = (*this)["ground"].lines("reach");
-  EXPECT_EQ(std::ranges::count_if(
-                met, [](const std::string& line) { return line.find("marvin") != line.npos; }),
-            0);
-  EXPECT_EQ(std::ranges::count_if(
-                met, [](const std::string& line) { return line.find("heliv") != line.npos; }),
-            1);
+  const auto contacts_with = [this](const std::string& peer) {
+    return std::ranges::count_if((*this)["ground"].lines("reach"), [&](const std::string& line) {
+      return line.find(peer) != line.npos;
+    });
+  };
+  EXPECT_EQ(contacts_with("marvin"), 0);
+  EXPECT_EQ(contacts_with("heliv"), 1);
 }
 
 TEST_F(Hosts, ALinkStateOfStrangersIsDisregarded) {

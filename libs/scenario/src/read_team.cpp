@@ -16,9 +16,9 @@ using mission::MissionId;
 
 constexpr std::int64_t kGreatestNumber = 2'000'000'000;
 
-/// In the air every round of a sale is a message and its answer on the radio.
-/// Unless the scenario says otherwise. A word of a sale may go past a relay, both ways, beside what
-/// else the radio carries: all wait longer where its narrowest link is narrow.
+/// Unless the scenario says otherwise. In the air every round of a sale is a message and its answer
+/// on the radio, perhaps past a relay and beside what else it carries: there are few rounds, and
+/// all wait longer where the narrowest link is narrow.
 auction::TeamLimits limits_over(const RadioSpec& radio) {
   constexpr double kWord = 8'000;  // [bit]
   const auto least = narrowest(radio);
