@@ -19,6 +19,15 @@ class NoCraft : public Craft {
   std::optional<std::string> objection(const Task&) const override { return "it has no vehicle"; }
 };
 
+// Times of a sale count from its beginning; people are told those of the mission.
+Lot in_mission_time(Lot lot, MissionTime begun) {
+  for (Task& task : lot.tasks) {
+    task.earliest += begun.to_seconds();
+    task.deadline += begun.to_seconds();
+  }
+  return lot;
+}
+
 // The own auctioneer says again what is not answered.
 bool waits(const std::deque<ToMember>& calls, const ToMember& call) {
   const auto round_of = [](const ToMember& said) {
@@ -105,6 +114,8 @@ void TeamMember::Core::answer_calls() {
 Lot TeamMember::Core::sound_lot() {
   Lot lot = lot_for_sale(ledger(), present(), now_);
   for (auto wrong = contradictions(lot); !wrong.empty(); wrong = contradictions(lot)) {
+    auto told = contradictions(in_mission_time(lot, now_));
+    if (!told.empty()) wrong = std::move(told);  // else it is one by rounding alone
     for (const Contradiction& one : wrong) {
       LedgerEntry& entry = change(one.chain.back());
       put_up(entry, one.why);

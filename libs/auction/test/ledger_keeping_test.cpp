@@ -314,6 +314,20 @@ TEST_F(LedgerKeepingTest, WhatWasGrantedWaitsForASilentMemberUnlessItMayBeDoneTw
   EXPECT_EQ(stage(5), Stage::kForSale);
 }
 
+TEST_F(LedgerKeepingTest, WhatIsTooLateIsForNobodyAndItsTimesAreThoseOfTheMission) {
+  holds(a_ledger().has(a_task(4).lasting(10).by(40), Stage::kForSale));
+  Status bids = wants({});
+  bids.bids = true;
+  bids.revision = holder->ledger().revision;
+
+  says(1, bids, 95.5);
+
+  EXPECT_EQ(stage(4), Stage::kUnsold);
+  EXPECT_EQ(entry(4).why,
+            "the last cannot end before 105.5 s, its deadline is 40 s: 4 begins at 95.5 s at the "
+            "earliest and lasts 10 s");
+}
+
 TEST_F(LedgerKeepingTest, WhatALostMemberWasGrantedIsForSaleAtOnce) {
   holds(a_ledger().has(a_task(4), Stage::kGranted, {1}));
 
