@@ -124,7 +124,7 @@ function(skein_link_system target scope)
 endfunction()
 
 # What tests share: #include "test_cases.hpp" (more in the long form of the checks), "temporary_folder.hpp",
-# "level_world.hpp".
+# "level_world.hpp", "processor_time.hpp" (budgets).
 add_library(skein_test_cases INTERFACE)
 add_library(skein::test_cases ALIAS skein_test_cases)
 target_include_directories(skein_test_cases INTERFACE ${CMAKE_CURRENT_LIST_DIR})

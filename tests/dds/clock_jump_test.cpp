@@ -6,9 +6,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstdlib>
 #include <fstream>
+#include <future>
+#include <mutex>
 #include <set>
+#include <thread>
 
+#include "temporary_folder.hpp"
 #include "testing/clocks_apart.hpp"
 #include "testing/dds_run.hpp"
 
@@ -69,6 +76,40 @@ void expect_the_same_mission(DdsRun& run) {
   }
   EXPECT_EQ(breaches_beyond_clocks(records, 20), "");
   EXPECT_TRUE(run.nothing_runs());
+}
+
+// What the preloaded clock promises: this test starts itself anew under it.
+TEST(WallClockOfTests, LosesNoSignalThatComesWhileAWaiterWaitsForItsMutex) {
+  using namespace std::chrono_literals;
+  if (std::getenv("ADVERSITY_CLOCK") == nullptr) {
+    const TemporaryFolder folder;
+    const WallClock clock(folder.path() / "clock");
+    const std::string self = fs::read_symlink("/proc/self/exe").string();
+    EXPECT_EQ(
+        std::system((clock.variables() + self + " --gtest_filter='WallClockOfTests.*'").c_str()),
+        0);
+    return;
+  }
+  std::mutex mutex;
+  std::condition_variable condition;
+  bool ready = false;
+  std::unique_lock lock(mutex);
+  std::future<bool> heard = std::async(std::launch::async, [&] {
+    std::unique_lock own(mutex);
+    condition.notify_all();
+    return condition.wait_until(own, std::chrono::system_clock::now() + 20s, [&] { return ready; });
+  });
+  condition.wait(lock);  // until it waits itself
+  const auto began = std::chrono::steady_clock::now();
+  std::this_thread::sleep_for(
+      300ms);  // longer than a slice: its own is over, and the mutex is not free
+
+  ready = true;
+  condition.notify_all();
+  lock.unlock();
+
+  EXPECT_TRUE(heard.get());
+  EXPECT_LT(std::chrono::steady_clock::now() - began, 10s);
 }
 
 class DdsClockJump : public ::testing::TestWithParam<const char*> {};

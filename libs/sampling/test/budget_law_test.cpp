@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ctime>
 
+#include "processor_time.hpp"
 #include "skein/sampling/sampling_path_planner.hpp"
 #include "worlds.hpp"
 
@@ -16,17 +16,8 @@ using refiners::PathQuery;
 using refiners::RefusalKind;
 using refiners::Setting;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double kRoom = 0.5;  // [s]
-#else
-constexpr double kRoom = 0.05;  // [s]
-#endif
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+using skein::testing::kRoom;
+using skein::testing::processor_seconds;
 
 /// Rough ground of so many posts along a side of a kilometre; its cells have to be cut finer.
 world::World rough(std::size_t posts) {
@@ -68,7 +59,7 @@ TEST(BudgetLaw, WaysOverAnyGroundAreAnsweredInTime) {
 
             const auto path = SamplingPathPlanner().plan(query, setting);
 
-            late = std::min(late, processor_seconds() - began - budget);
+            late = std::min(late, skein::testing::late_here(processor_seconds() - began - budget));
             const bool in_time = path || path.error().kind == RefusalKind::kBudgetExhausted;
             EXPECT_TRUE(in_time || walled || !vehicle.hovers) << path.error().why;
           }

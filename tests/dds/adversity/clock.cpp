@@ -2,6 +2,8 @@
 // A wall clock that the test sets: preloaded into a process (LD_PRELOAD), it adds what stands in
 // the file ADVERSITY_CLOCK (eight bytes, seconds, signed) to CLOCK_REALTIME, at every call anew.
 // Waits until an instant of that clock follow it, as those of the kernel do when a clock is set.
+// They are made of slices; a signal that comes when a slice is over already, and the thread waits
+// for its processor or its mutex, is not lost: signals are counted.
 // The steady clocks are left alone. Without the variable nothing is changed.
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -12,6 +14,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
@@ -77,6 +80,13 @@ int until(const timespec* limit, const Wait& wait) {
   }
 }
 
+/// Signals given so far to this condition, or to another of the few with which it shares a counter:
+/// those wake it too, which POSIX allows.
+std::atomic<std::uint32_t>& signals_of(const pthread_cond_t* condition) {
+  static std::array<std::atomic<std::uint32_t>, 4096> counters;
+  return counters[reinterpret_cast<std::uintptr_t>(condition) / 16 % counters.size()];  // NOLINT
+}
+
 }  // namespace
 
 extern "C" {
@@ -104,7 +114,23 @@ int pthread_cond_timedwait(pthread_cond_t* __restrict condition, pthread_mutex_t
                            const timespec* __restrict limit) {
   static const auto real =
       next<int (*)(pthread_cond_t*, pthread_mutex_t*, const timespec*)>("pthread_cond_timedwait");
-  return until(limit, [&](const timespec* at) { return real(condition, mutex, at); });
+  const std::uint32_t before = signals_of(condition);
+  return until(limit, [&](const timespec* at) {
+    const int result = real(condition, mutex, at);
+    return result == ETIMEDOUT && signals_of(condition) != before ? 0 : result;
+  });
+}
+
+int pthread_cond_signal(pthread_cond_t* condition) noexcept {
+  static const auto real = next<int (*)(pthread_cond_t*)>("pthread_cond_signal");
+  ++signals_of(condition);
+  return real(condition);
+}
+
+int pthread_cond_broadcast(pthread_cond_t* condition) noexcept {
+  static const auto real = next<int (*)(pthread_cond_t*)>("pthread_cond_broadcast");
+  ++signals_of(condition);
+  return real(condition);
 }
 
 int pthread_mutex_timedlock(pthread_mutex_t* __restrict mutex,

@@ -23,10 +23,10 @@
 namespace skein::refiners {
 namespace {
 
+using skein::testing::kRoom;
+using skein::testing::processor_seconds;
 using testing::expect_in_time;
 using testing::kBudgets;
-using testing::kRoom;
-using testing::processor_seconds;
 using testing::Relief;
 using testing::rough_world;
 using world::Vector2;
