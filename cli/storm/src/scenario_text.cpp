@@ -76,6 +76,8 @@ Result<std::string, Failure> with_troubles(const std::string& yaml, std::uint64_
     append(document["faults"], troubles.faults);
     if (!troubles.cuts.empty()) append(document["radio"]["cuts"], troubles.cuts);
     if (troubles.loss) document["radio"]["loss"] = *troubles.loss;
+    if (troubles.planning_takes)
+      document["planning"]["takes"] = std::vector<double>{0.05, *troubles.planning_takes};
     return text_of(document);
   } catch (const YAML::Exception& error) {
     return failure(error.what());

@@ -45,6 +45,7 @@ struct Failing {
 mission_lab::Stage stage_of(const scenario::Scenario& scenario, double until) {
   mission_lab::Stage stage;
   stage.until = until;
+  stage.plans = scenario.planning.has_value();
   const node::Roster roster = scenario_setup::roster_of(scenario);
   for (const node::Member& member : roster.members())
     if (member.role != wire::Role::kRunner && member.role != wire::Role::kOperator)

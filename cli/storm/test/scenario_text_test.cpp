@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
 
 #include <filesystem>
 #include <fstream>
@@ -47,6 +48,17 @@ TEST(WithTroubles, TheyComeBesideWhatTheScenarioHas) {
   EXPECT_DOUBLE_EQ(after.radio.model.loss, 0.25);
   EXPECT_EQ(after.uavs.size(), before.uavs.size());
   EXPECT_EQ(after.expectations.size(), before.expectations.size());
+}
+
+TEST(WithTroubles, SlowComputersTakeLongerToPlan) {
+  mission_lab::Troubles troubles;
+  troubles.planning_takes = 2.5;
+
+  const YAML::Node after =
+      YAML::Load(with_troubles("planning: {domain: d.lisp}", 1, troubles).value());
+
+  EXPECT_EQ(after["planning"]["domain"].as<std::string>(), "d.lisp");
+  EXPECT_EQ(after["planning"]["takes"].as<std::vector<double>>(), (std::vector<double>{0.05, 2.5}));
 }
 
 TEST(WithTroubles, SaysWhatIsNoDocument) {

@@ -59,6 +59,8 @@ node::VirtualConfig virtual_config(const Scenario& scenario) {
   config.time_limit = scenario.duration_limit;
   config.heartbeat_period = scenario.radio.heartbeat;
   config.capacity = scenario_setup::capacity_of(scenario);
+  if (scenario.planning)
+    config.jobs = {scenario.planning->takes_least, scenario.planning->takes_most};
   config.silent_cuts = scenario.radio.silent;
   config.meets_when_told = true;
   for (const scenario::KillSpec& kill : scenario.faults.kills) {

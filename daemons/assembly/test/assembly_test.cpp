@@ -210,6 +210,16 @@ TEST(Assembly, TheVirtualRunHasTheSeedAndTheLimitOfTheScenario) {
   EXPECT_TRUE(config.crashes.empty());
 }
 
+TEST(Assembly, JobsTakeWhatTheScenarioSaysOfPlanning) {
+  scenario::Scenario scenario = comets();
+  EXPECT_EQ(virtual_config(scenario).jobs.most, Duration::milliseconds(50));
+  scenario.planning.emplace();
+  scenario.planning->takes_most = Duration::seconds(4);
+
+  EXPECT_EQ(virtual_config(scenario).jobs.least, Duration::milliseconds(50));
+  EXPECT_EQ(virtual_config(scenario).jobs.most, Duration::seconds(4));
+}
+
 TEST(Assembly, KillsBecomeCrashesWithTheInstantOfTheRestart) {
   scenario::Scenario scenario = comets();
   scenario.faults.kills = {{at(500), "heliv", Duration::seconds(10)}, {at(600), "karma", {}}};

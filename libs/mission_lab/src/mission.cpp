@@ -52,6 +52,7 @@ void team(std::ostream& out, const Mission& m, const std::string& scenarios) {
       << "}\n  first_ids: {" << ids << "}\n";
   if (m.consistency != "dip-m") out << "  consistency: " << m.consistency << "\n";
   if (m.partner_lease > 0) out << "  partner_lease: " << std::lround(m.partner_lease) << "\n";
+  if (m.planning_takes > 0) out << "  takes: [0.05, " << m.planning_takes << "]\n";
   if (m.joint) {
     out << "\ninteraction: " << scenarios << "/models/interaction/monitoring-with-relay.yaml\n";
   }
@@ -199,6 +200,10 @@ std::vector<Mission> smaller(const Mission& whole) {
   }
   without_each(whole, &Mission::zones, result);
   without_each(whole, &Mission::places, result);
+  if (whole.planning_takes > 0) {
+    result.push_back(whole);
+    result.back().planning_takes = 0;
+  }
   if (!whole.hills.empty()) {
     result.push_back(whole);
     result.back().hills.clear();

@@ -73,7 +73,10 @@ class Drawing {
 
 Troubles draw_troubles(std::uint64_t seed, const Stage& stage) {
   SKEIN_EXPECTS(!stage.vehicles.empty() && !stage.daemons.empty());
-  return Drawing(seed, stage).draw();
+  Troubles troubles = Drawing(seed, stage).draw();
+  Random computers(seed, "computers");
+  if (stage.plans && computers.chance(0.5)) troubles.planning_takes = computers.uniform(0.5, 8);
+  return troubles;
 }
 
 }  // namespace skein::mission_lab

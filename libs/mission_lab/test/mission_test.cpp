@@ -195,6 +195,8 @@ TEST(SmallerMissions, AreOneForEachPartThatCanGo) {
   EXPECT_EQ(smaller(team).size(), 16U) << "the last task of a team stays";
   team.global.emplace_back("{id: 12}");
   EXPECT_EQ(smaller(team).size(), 18U);
+  team.planning_takes = 5;
+  EXPECT_EQ(smaller(team).size(), 19U);
 }
 
 TEST(SmallerMissions, HaveFewerPartsAndAreAllDifferent) {

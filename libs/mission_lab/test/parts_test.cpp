@@ -279,6 +279,24 @@ TEST(DrawnTroubles, HappenToWhatIsOnTheStageWhileItPlays) {
   EXPECT_THAT(broken, Each("karma")) << "marvin has no device that could break";
 }
 
+TEST(DrawnTroubles, GiveHalfOfTheMissionsWithPlanningSlowComputersAndLeaveTheRestAsItIs) {
+  Stage planned = stage(600);
+  planned.plans = true;
+  Seen seen;
+  int slow = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const Troubles troubles = draw_troubles(seed, planned),
+                   others = draw_troubles(seed, stage(600));
+    EXPECT_EQ(troubles.faults, others.faults) << seed;
+    EXPECT_EQ(others.planning_takes, std::nullopt);
+    if (!troubles.planning_takes) continue;
+    ++slow;
+    seen.add("takes", *troubles.planning_takes);
+  }
+  seen.expect_fills("takes", 0.5, 8);
+  EXPECT_NEAR(slow, 150, 50);
+}
+
 TEST(DrawnTroubles, OfAShortMissionStillHaveTwentySecondsToHappenIn) {
   Seen seen;
   for (std::uint64_t seed = 1; seed <= 200; ++seed)

@@ -7,6 +7,7 @@
 #include "skein/blackboard/memory_transport.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/journal/lines/truth.hpp"
+#include "virtual_jobs.hpp"
 
 namespace skein::node {
 
@@ -63,11 +64,6 @@ class VirtualRun {
     std::unique_ptr<Host> host;
     bool touched = false;  ///< since its last step something came or was done
     std::optional<MissionTime> due;
-  };
-  struct Job {
-    std::string node;
-    std::uint64_t incarnation = 0;
-    JobDone done;
   };
 
   Now now() const { return {now_, now_ - MissionTime()}; }
@@ -151,9 +147,9 @@ class VirtualRun {
         hub_.carry(NodeNumber(link->from), NodeNumber(link->to), link->up);
       };
     }
-    ports.start_job = [this, name = seat.member->name, life = seat.incarnation](StartJob job) {
-      jobs_.emplace(now_ + config_.job_latency, Job{name, life, {job.id, job.work({}), {}}});
-    };
+    const VirtualJobs::Owner owner{seat.member->name, seat.incarnation};
+    ports.start_job = [this, owner](StartJob job) { jobs_.submit(owner, std::move(job), now_); };
+    ports.stop_job = [this, owner](StopJob job) { jobs_.stop(owner, job.id, now_); };
     return ports;
   }
 
@@ -170,12 +166,10 @@ class VirtualRun {
       const auto fault = faults_.begin()->second;
       fault();
     }
-    while (!jobs_.empty() && jobs_.begin()->first <= now_) {
-      auto first = jobs_.extract(jobs_.begin());
-      Job& job = first.mapped();
-      Seat& seat = seat_of(job.node);
-      if (!seat.host || seat.incarnation != job.incarnation) continue;
-      seat.host->job_done(std::move(job.done), now());
+    while (auto job = jobs_.take_done(now_)) {
+      Seat& seat = seat_of(job->owner.node);
+      if (!seat.host || seat.incarnation != job->owner.incarnation) continue;
+      seat.host->job_done(std::move(job->done), now());
       seat.host->lines_have_left();
       seat.touched = true;
     }
@@ -210,7 +204,7 @@ class VirtualRun {
       if (seat.host) next = earliest(next, seat.due);
     }
     if (!faults_.empty()) next = earliest(next, faults_.begin()->first);
-    if (!jobs_.empty()) next = earliest(next, jobs_.begin()->first);
+    if (const auto done = jobs_.next()) next = earliest(next, *done);
     return next;
   }
 
@@ -221,7 +215,7 @@ class VirtualRun {
   blackboard::MemoryHub hub_;
   std::vector<Seat> seats_;
   std::multimap<MissionTime, std::function<void()>> faults_;
-  std::multimap<MissionTime, Job> jobs_;
+  VirtualJobs jobs_{config_.jobs, config_.seed};
   MissionTime now_;
   MissionTime stop_at_ = config_.time_limit;
   bool finished_ = false;

@@ -157,7 +157,7 @@ TEST_F(Virtual, WhoeverWatchesCanStopIt) {
 }
 
 TEST_F(Virtual, AJobsResultComesBackAfterItsLatency) {
-  config.job_latency = Duration::seconds(0.75);
+  config.jobs = {Duration::seconds(0.75), Duration::seconds(0.75)};
   of["a"].wakeup = at(2);
   of["a"].answer = [](const Input& input, MissionTime) -> Effects {
     if (!std::holds_alternative<Wakeup>(input)) return {};
@@ -178,7 +178,7 @@ TEST_F(Virtual, AJobsResultComesBackAfterItsLatency) {
 }
 
 TEST_F(Virtual, AJobThatStartsAnotherWithoutLatencyComesBackAtTheSameInstant) {
-  config.job_latency = Duration();
+  config.jobs = {Duration(), Duration()};
   of["a"].wakeup = at(2);
   of["a"].answer = [](const Input& input, MissionTime) -> Effects {
     const auto* done = std::get_if<JobDone>(&input);
@@ -193,7 +193,7 @@ TEST_F(Virtual, AJobThatStartsAnotherWithoutLatencyComesBackAtTheSameInstant) {
 }
 
 TEST_F(Virtual, AJobsResultDoesNotReachTheNextIncarnation) {
-  config.job_latency = Duration::seconds(2);
+  config.jobs = {Duration::seconds(2), Duration::seconds(2)};
   config.crashes = {{at(3), "a", at(3.5)}};
   of["a"].wakeup = at(2);
   of["a"].answer = [](const Input& input, MissionTime) -> Effects {

@@ -87,7 +87,7 @@ std::optional<PlanningSpec> read_planning(const Reader& reader, const std::strin
   if (!reader.present()) return std::nullopt;
   PlanningSpec planning;
   if (!reader.keys({"domain", "altitude", "voxel", "ceiling", "risk", "horizon", "first_ids",
-                    "altitudes", "consistency", "partner_lease"})) {
+                    "altitudes", "consistency", "partner_lease", "takes"})) {
     return planning;
   }
   const Reader domain = reader.required("domain");
@@ -107,6 +107,10 @@ std::optional<PlanningSpec> read_planning(const Reader& reader, const std::strin
   planning.partner_lease =
       Duration::seconds(reader.optional("partner_lease")
                             .number(planning.partner_lease.to_seconds(), {60, 86'400, "s"}));
+  if (const auto takes = read_range(reader.optional("takes"), {0, 600, "s"})) {
+    planning.takes_least = Duration::seconds(takes->low);
+    planning.takes_most = Duration::seconds(takes->high);
+  }
   planning.first_ids = read_by_uav(reader.optional("first_ids"), names, read_first_id);
   return planning;
 }

@@ -55,8 +55,8 @@ SKEIN_WRONG_PLANNING(
           "13:11: planning.domain: missing\n"},
     Wrong{"UnknownKey", "first_ids", "first_id",
           "13:54: planning.first_id: unknown key 'first_id'; expected one of domain, altitude, "
-          "voxel, ceiling, risk, horizon, first_ids, altitudes, consistency, partner_lease; did "
-          "you mean "
+          "voxel, ceiling, risk, horizon, first_ids, altitudes, consistency, partner_lease, takes; "
+          "did you mean "
           "'first_ids'?\n"},
     Wrong{
         "FirstIdOfAStranger", "first_ids: {karma", "first_ids: {krama",
@@ -66,6 +66,8 @@ SKEIN_WRONG_PLANNING(
           "; did you mean 'dip-m'?\n"},
     Wrong{"PartnerLeaseOfLessThanAMinute", "first_ids: {karma: 100}", "partner_lease: 59",
           "13:59: planning.partner_lease: '59'; expected a number from 60 to 86400 s\n"},
+    Wrong{"PlanningThatTakesAtLeastMoreThanAtMost", "first_ids: {karma: 100}", "takes: [3, 2]",
+          "13:51: planning.takes: no figure is between these; expected [LEAST, MOST]\n"},
     Wrong{"FirstIdOfNothing", "{karma: 100}", "{karma: 0}",
           "13:63: planning.first_ids.karma: '0'; expected a whole number from 1 to 400000000\n"},
     Wrong{

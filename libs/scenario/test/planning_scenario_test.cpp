@@ -74,6 +74,13 @@ TEST(Planning, SaysHowLongASilentPartnerIsWaitedFor) {
   EXPECT_EQ(scenario.planning->partner_lease, Duration::seconds(90));
 }
 
+TEST(Planning, SaysHowLongAJobTakesInVirtualTime) {
+  const Scenario scenario =
+      read_valid(planning_scenario_with("first_ids:", "takes: [0.5, 3], first_ids:"));
+  EXPECT_EQ(scenario.planning->takes_least, Duration::seconds(0.5));
+  EXPECT_EQ(scenario.planning->takes_most, Duration::seconds(3));
+}
+
 TEST(Planning, IsKeptWithTheTextOfItsDomain) {
   const Scenario scenario = read_valid(planning_scenario_with());
 

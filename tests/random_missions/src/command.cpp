@@ -40,6 +40,7 @@ struct Options {
        verbose = false;
   std::size_t examples = 3;
   std::int64_t capacity = 0;
+  double planning_takes = 0;
   JudgeOptions judge;
 };
 
@@ -83,6 +84,7 @@ Mission drawn(std::uint64_t seed, const Options& options) {
   Mission mission = drawn_as_kind(seed, options);
   if (options.merged) mission.separation = "{merge: true}";
   if (options.unmerged) mission.separation = "{merge: false}";
+  mission.planning_takes = options.planning_takes;
   if (options.capacity > 0) {
     std::erase_if(mission.radio, [](const auto& one) { return one.starts_with("capacity:"); });
     mission.radio.push_back("capacity: " + std::to_string(options.capacity));
@@ -237,6 +239,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--capacity", options.capacity,
                  "of every link in each direction, in bit/s; as drawn without it")
       ->check(CLI::Range(std::int64_t{1'000}, std::int64_t{1'000'000'000}));
+  app.add_option("--planning-takes", options.planning_takes,
+                 "each job of planning takes 0.05 s to so many seconds; 0.05 s without it")
+      ->check(CLI::Range(0.05, 60.0));
   app.add_flag("--clean", options.clean, "missions in which nothing goes wrong");
   app.add_flag("--deaths", options.deaths,
                "daemons die in them, up to three times, and come back with what they knew");

@@ -63,6 +63,7 @@ struct Mission {
   std::string separation;             ///< "{merge: true}"; empty: nobody asks for it
   std::string consistency = "dip-m";  ///< by which UAVs know when others come to meet them
   double partner_lease = 0;           ///< [s]; 0: as scenarios have it unasked
+  double planning_takes = 0;          ///< at most, in virtual time [s]; 0: as scenarios have it
   int shared_pads = 0;                ///< UAVs that start a few metres beside another
   bool joint = false;                 ///< there are interaction models
   double finish_after = 30;  ///< [s] after the last goal is settled; negative: at the limit

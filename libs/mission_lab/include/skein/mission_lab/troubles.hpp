@@ -18,13 +18,15 @@ struct Stage {
   std::vector<Vehicle> vehicles;     ///< at least one
   std::vector<std::string> daemons;  ///< that may die; the ground station, "sim", UAVs, …
   double until = 600;                ///< duration of the mission without faults [s]
+  bool plans = false;                ///< there is planning, which may take time
 };
 
-/// Faults and radio properties in the format of scenario files.
+/// Faults, radio properties and slow computers in the format of scenario files.
 struct Troubles {
-  std::vector<std::string> faults;  ///< "{at: 100, kill: sim, restart_after: 5}"
-  std::vector<std::string> cuts;    ///< "{between: [marvin, ground], from: 10, until: 40}"
-  std::optional<double> loss;       ///< of samples of streams, (0, 0.3]
+  std::vector<std::string> faults;       ///< "{at: 100, kill: sim, restart_after: 5}"
+  std::vector<std::string> cuts;         ///< "{between: [marvin, ground], from: 10, until: 40}"
+  std::optional<double> loss;            ///< of samples of streams, (0, 0.3]
+  std::optional<double> planning_takes;  ///< at most, by slow computers in virtual time [s]
 };
 
 /// Draws at least one fault or cut. Deterministic for a seed and a stage.

@@ -90,7 +90,7 @@ struct Log {
 using TimeIsUp = std::function<bool()>;
 /// Starts a long computation. `work` owns its inputs, touches nothing shared and may run in any
 /// thread; its result comes back as JobDone. A daemon passes a clock to `work`; the virtual runtime
-/// passes none, since virtual time stands still during a job. Source: spec 1.5.
+/// passes none: there a job takes the time that is drawn for it (JobTimes). Source: spec 1.5.
 struct StartJob {
   std::uint64_t id = 0;
   std::function<std::any(const TimeIsUp&)> work;

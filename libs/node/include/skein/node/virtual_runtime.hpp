@@ -23,12 +23,19 @@ struct Crash {
   bool remembers = false;  ///< restart with memory; otherwise without (HostConfig::forgets)
 };
 
+/// How long a job takes once it has begun, in mission time: drawn from the seed for each, most of
+/// them near the least, and no longer than the job may take. least <= most.
+struct JobTimes {
+  Duration least = Duration::milliseconds(50);
+  Duration most = Duration::milliseconds(50);
+};
+
 struct VirtualConfig {
   std::uint64_t seed = 0;
   MissionTime time_limit = MissionTime::max();
   Duration heartbeat_period = Duration::seconds(1);
-  Duration job_latency = Duration::milliseconds(50);  ///< from a job's start to its result
-  Duration after_finish = Duration::seconds(2);       ///< so that last messages are still handled
+  JobTimes jobs = {};
+  Duration after_finish = Duration::seconds(2);  ///< so that last messages are still handled
   std::vector<Crash> crashes;
   bool operators = false;  ///< the roster's operators take part as nodes
   /// The simulator's cuts are made by the transport and nodes are not told, as in flight, where the

@@ -179,6 +179,9 @@ struct PlanningSpec {
   std::optional<temporal::Algorithm> consistency = temporal::Algorithm::kDipM;
   /// Silence after which a partner of a meeting or joint task is not waited for any more.
   Duration partner_lease = Duration::seconds(600);
+  /// In virtual time: how long a job of planning takes, drawn for each from the seed. Over DDS it
+  /// takes as long as the machine needs. takes_least <= takes_most.
+  Duration takes_least = Duration::milliseconds(50), takes_most = Duration::milliseconds(50);
   /// First number of the elementary tasks that a UAV plans; 1 for UAVs that are not listed.
   std::map<std::string, executive::TaskId> first_ids;
 };
