@@ -259,7 +259,7 @@ HealingLimits healing_limits(const scenario::Scenario& scenario) {
   HealingLimits limits;
   const Duration beats = radio.heartbeat + radio.heartbeat + radio.heartbeat;
   limits.noticed = std::max(limits.noticed, beats + kSilenceIsSeen);
-  if (loss == 0 && radio.model.capacity == 0 && !radio.silent) {
+  if (loss == 0 && !scenario::narrowest(radio) && !radio.silent) {
     limits.healing = kTold + latency + latency;
     return limits;
   }

@@ -220,6 +220,9 @@ TEST(HealingLimits, FollowFromTheRadio) {
   scenario.radio.model.capacity = 9600;
   EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(3.2)) << "what waited takes time";
   EXPECT_EQ(healing_limits(scenario).noticed, Duration::seconds(5));
+  scenario.radio.model.capacity = 0;
+  scenario.radio.links.emplace_back().capacity = 9600;
+  EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(3.2)) << "of one link too";
 
   scenario.radio.heartbeat = Duration::seconds(2);
   EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(6.2));
