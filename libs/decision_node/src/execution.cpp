@@ -73,7 +73,7 @@ void Execution::time_passes() {
 
 std::optional<MissionTime> Execution::next_wakeup() const {
   std::optional<MissionTime> next = executive_.next_wakeup();
-  for (const executive::Wait& wait : executive_.waits()) {
+  for (const executive::Wait& wait : waits()) {
     for (const std::string& uav : wait.awaited) {
       if (!has_lease(uav)) continue;
       next = earliest(next, core_.partners().gives_up_at(uav, wait.since));
@@ -123,8 +123,14 @@ void Execution::give_up(functional::TaskId wait, const std::string& why) {
     std::visit([&](const auto& one) { carry_out(one, nobody); }, effect);
 }
 
+std::vector<executive::Wait> Execution::waits() const {
+  std::vector<executive::Wait> waits = executive_.waits();
+  for (executive::Wait& wait : waits) wait.since = wait_starts_.start_of(wait);
+  return waits;
+}
+
 void Execution::give_up_on_partners() {
-  for (const executive::Wait& wait : executive_.waits()) {
+  for (const executive::Wait& wait : waits()) {
     for (const std::string& uav : wait.awaited) {
       const auto why = why_given_up(wait, uav);
       if (!why) continue;
@@ -149,6 +155,7 @@ void Execution::post(Asked asked) {
 }
 
 void Execution::handle(const Asked& asked) {
+  wait_starts_.see(executive_.waits(), core_.bus().now());
   for (const executive::Effect& effect : executive_.handle(asked.input, core_.bus().now())) {
     std::visit([&](const auto& one) { carry_out(one, asked); }, effect);
   }
@@ -160,6 +167,7 @@ void Execution::carry_out(const executive::TaskEvent& event, const Asked& asked)
   const auto task = executive_.find(event.id);
   core_.bus().emit(TaskChanged{event, task ? task->parameters : functional::Parameters()});
   if (core_.own_tasks().see(event)) core_.safekeeping().own_task_over(event);
+  if (event.state == executive::TaskState::kEnded) wait_starts_.met(event.id);
   if (is_displaced(event, asked.input)) core_.safekeeping().withdraw_what_waits();
   core_.tell_task(event);
   if (is_terminal(event.state)) note_over(event.id);

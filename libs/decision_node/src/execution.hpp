@@ -9,6 +9,7 @@
 
 #include "component.hpp"
 #include "skein/executive/executive.hpp"
+#include "wait_starts.hpp"
 
 namespace skein::decision_node {
 
@@ -62,6 +63,8 @@ class Execution final : public Component {
   /// Why the partner is waited for no longer; absent: it is.
   std::optional<std::string> why_given_up(const executive::Wait& wait, const std::string& uav);
   void give_up(functional::TaskId wait, const std::string& why);
+  /// The executive's waits, each from when its partners are waited for.
+  std::vector<executive::Wait> waits() const;
   void note_over(functional::TaskId id);
   void handle(const Asked& asked);
   void carry_out(const executive::TaskEvent& event, const Asked& asked);
@@ -80,6 +83,7 @@ class Execution final : public Component {
   /// When a partner without the synchronisation in its plan was last given up; a goal that is
   /// planned anew does not wait for it again.
   std::map<std::pair<std::string, std::uint64_t>, MissionTime> stayed_away_;
+  WaitStarts wait_starts_;
   /// Degrees of other UAVs, as far as known.
   std::map<std::string, mission::Degree> degrees_;
   /// Tasks of the plan that are over, in the order of their ends.
