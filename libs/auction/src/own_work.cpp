@@ -67,10 +67,12 @@ bool OwnWork::done(TaskNumber task, MissionTime now) {
 
 bool OwnWork::put_back(const TaskPutBack& back) {
   const auto entry = ledger().entries.find(back.task);
-  if (entry == ledger().entries.end() || !mine(entry->second)) return false;
-  disk_.stopped[back.task] = entry->second.sale;
+  const bool owned = entry != ledger().entries.end() && mine(entry->second);
+  const bool runs = running_ && running_->task == back.task;
+  if (!owned && !runs) return false;
+  disk_.stopped[back.task] = owned ? entry->second.sale : running_->sale;
   disk_.stopped_why[back.task] = back.why;
-  if (running_ && running_->task == back.task) running_.reset();
+  if (runs) running_.reset();
   return true;
 }
 

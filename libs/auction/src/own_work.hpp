@@ -27,7 +27,8 @@ class OwnWork {
   /// The running task has ended and is done, also under a later sale to this member alone. False:
   /// `task` is not running.
   [[nodiscard]] bool done(TaskNumber task, MissionTime now);
-  /// Gives a task of this member back for sale. False: the member does not own it.
+  /// Gives a task of this member back for sale, or ends the running one, whoever owns it by now.
+  /// False: it is neither.
   [[nodiscard]] bool put_back(const TaskPutBack& back);
   /// Gives up this member's parts of joint tasks that a partner gave up, unless they are running.
   /// True: there was one.

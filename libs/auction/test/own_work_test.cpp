@@ -151,6 +151,16 @@ TEST_F(OwnWorkTest, OnlyWhatRunsCanBeDone) {
   EXPECT_FALSE(own.done(TaskNumber(2), at(9))) << "done twice is done once";
 }
 
+TEST_F(OwnWorkTest, WhatFailsMakesRoomForTheNextThoughItWasSoldToAnother) {
+  knows(a_ledger().has(a_task(2), Stage::kGranted, {1}));
+  own.begin_next(9, at(0));
+  knows(a_ledger().has(a_task(2), Stage::kGranted, {2}).has(a_task(3), Stage::kGranted, {1}));
+
+  EXPECT_TRUE(own.put_back({TaskNumber(2), "wind"}));
+
+  EXPECT_EQ(own.begin_next(9, at(1)), claim_to(3));
+}
+
 TEST_F(OwnWorkTest, WhatRunsAndIsPutBackMakesRoomForTheNext) {
   knows(a_ledger().has(a_task(2), Stage::kGranted, {1}).has(a_task(3), Stage::kGranted, {1}));
   own.begin_next(9, at(0));
