@@ -65,6 +65,17 @@ bool OwnWork::done(TaskNumber task, MissionTime now) {
   return true;
 }
 
+bool OwnWork::ends_under_later_sales() {
+  bool changed = false;
+  for (auto& [task, sale] : disk_.done) {
+    const std::uint64_t later = sale_to_itself_alone(task);
+    if (later <= sale) continue;
+    sale = later;
+    changed = true;
+  }
+  return changed;
+}
+
 bool OwnWork::put_back(const TaskPutBack& back) {
   const auto entry = ledger().entries.find(back.task);
   const bool owned = entry != ledger().entries.end() && mine(entry->second);

@@ -27,6 +27,9 @@ class OwnWork {
   /// The running task has ended and is done, also under a later sale to this member alone. False:
   /// `task` is not running.
   [[nodiscard]] bool done(TaskNumber task, MissionTime now);
+  /// What it has done is done under a later sale to it alone too: the task was sold again while the
+  /// others did not hear it, and the word of its end was late. True: there was one.
+  [[nodiscard]] bool ends_under_later_sales();
   /// Gives a task of this member back for sale, or ends the running one, whoever owns it by now.
   /// False: it is neither.
   [[nodiscard]] bool put_back(const TaskPutBack& back);
