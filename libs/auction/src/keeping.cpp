@@ -47,7 +47,7 @@ Status TeamMember::Core::status() const {
   for (const auto& [task, sale] : disk_.done) {
     const auto entry = ledger().entries.find(task);
     if (entry == ledger().entries.end() || entry->second.stage == Stage::kDone) continue;
-    status.done.push_back({{task, sale}, disk_.done_at.at(task)});
+    status.done.push_back({{task, own_.done_under(task).value_or(sale)}, disk_.done_at.at(task)});
   }
   for (const auto& [task, sale] : disk_.stopped) {
     const auto entry = ledger().entries.find(task);

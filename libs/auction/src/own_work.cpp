@@ -17,11 +17,10 @@ bool OwnWork::ended(const LedgerEntry& entry) const {
 }
 
 bool OwnWork::has_ended(const Claim& claim) const {
-  const auto is = [&](const std::map<TaskNumber, std::uint64_t>& marks) {
-    const auto mark = marks.find(claim.task);
-    return mark != marks.end() && mark->second >= claim.sale;
-  };
-  return is(disk_.done) || is(disk_.stopped);
+  const auto done = done_under(claim.task);
+  const auto stopped = disk_.stopped.find(claim.task);
+  return (done && *done >= claim.sale) ||
+         (stopped != disk_.stopped.end() && stopped->second >= claim.sale);
 }
 
 // All of them when it has waited for long, since routes that were sold in parts of the team may
@@ -49,7 +48,13 @@ std::vector<Claim> OwnWork::next_of_route(std::uint32_t most) const {
   return wants;
 }
 
-// While it was silent, say: what it is at is what it was sold again.
+std::optional<std::uint64_t> OwnWork::done_under(TaskNumber task) const {
+  const auto done = disk_.done.find(task);
+  if (done == disk_.done.end()) return std::nullopt;
+  return std::max(done->second, sale_to_itself_alone(task));
+}
+
+// While it was silent, say: what it is at, or has done, is what it was sold again.
 std::uint64_t OwnWork::sale_to_itself_alone(TaskNumber task) const {
   const auto found = ledger().entries.find(task);
   if (found == ledger().entries.end()) return 0;
@@ -59,21 +64,10 @@ std::uint64_t OwnWork::sale_to_itself_alone(TaskNumber task) const {
 
 bool OwnWork::done(TaskNumber task, MissionTime now) {
   if (!running_ || running_->task != task) return false;
-  disk_.done[task] = std::max(running_->sale, sale_to_itself_alone(task));
+  disk_.done[task] = running_->sale;
   disk_.done_at[task] = now;
   running_.reset();
   return true;
-}
-
-bool OwnWork::ends_under_later_sales() {
-  bool changed = false;
-  for (auto& [task, sale] : disk_.done) {
-    const std::uint64_t later = sale_to_itself_alone(task);
-    if (later <= sale) continue;
-    sale = later;
-    changed = true;
-  }
-  return changed;
 }
 
 bool OwnWork::put_back(const TaskPutBack& back) {

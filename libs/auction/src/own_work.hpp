@@ -19,17 +19,16 @@ class OwnWork {
 
   /// Whether this member has done or given up the task under that sale or a later one.
   bool has_ended(const Claim& claim) const;
+  /// The last sale under which this member has done the task; none: it has not. Also a later sale
+  /// to it alone: the task was sold again while the others did not hear it at work or done.
+  std::optional<std::uint64_t> done_under(TaskNumber task) const;
   /// Claims for the next `limits.ahead` tasks of the route whose predecessors are done; for all
   /// such tasks after it has waited for a grant for `limits.lease`, since routes that were sold in
   /// separate parts of the team may wait for each other.
   std::vector<Claim> wants(MissionTime now) const;
 
-  /// The running task has ended and is done, also under a later sale to this member alone. False:
-  /// `task` is not running.
+  /// The running task has ended and is done. False: `task` is not running.
   [[nodiscard]] bool done(TaskNumber task, MissionTime now);
-  /// What it has done is done under a later sale to it alone too: the task was sold again while the
-  /// others did not hear it, and the word of its end was late. True: there was one.
-  [[nodiscard]] bool ends_under_later_sales();
   /// Gives a task of this member back for sale, or ends the running one, whoever owns it by now.
   /// False: it is neither.
   [[nodiscard]] bool put_back(const TaskPutBack& back);

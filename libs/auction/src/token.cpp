@@ -50,7 +50,6 @@ TeamEffects TeamMember::Core::handle(const TeamInput& input, MissionTime now) {
                  [](const Tick&) {},
              },
              input);
-  stored_ |= own_.ends_under_later_sales();
   if (role_ != Role::kHolder && now_ >= stand_at_) stand(true);
   if (role_ == Role::kHolder) keep_ledger();
   answer_calls();

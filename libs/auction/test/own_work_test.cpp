@@ -157,12 +157,9 @@ TEST_F(OwnWorkTest, WhatItHasDoneItDoesNotBeginAgainThoughItIsSoldToItOnceMore) 
   EXPECT_TRUE(own.done(TaskNumber(2), at(9)));
   knows(a_ledger().has(a_task(2), Stage::kGranted, {1}).sold_again(2));
 
-  EXPECT_TRUE(own.ends_under_later_sales());
-
   EXPECT_EQ(own.begin_next(9, at(12)), std::nullopt);
-  EXPECT_EQ(disk.done.at(TaskNumber(2)), 202U)
+  EXPECT_EQ(own.done_under(TaskNumber(2)), 202U)
       << "so that the holder of the token hears of its end";
-  EXPECT_FALSE(own.ends_under_later_sales());
 }
 
 TEST_F(OwnWorkTest, WhatItHasDoneAndOthersWereSoldIsNotItsToEnd) {
@@ -171,7 +168,8 @@ TEST_F(OwnWorkTest, WhatItHasDoneAndOthersWereSoldIsNotItsToEnd) {
   EXPECT_TRUE(own.done(TaskNumber(2), at(9)));
   knows(a_ledger().has(a_task(2), Stage::kGranted, {1, 2}).sold_again(2));
 
-  EXPECT_FALSE(own.ends_under_later_sales());
+  EXPECT_EQ(own.done_under(TaskNumber(2)), 102U);
+  EXPECT_FALSE(own.has_ended({TaskNumber(2), 202}));
 }
 
 TEST_F(OwnWorkTest, WhatFailsMakesRoomForTheNextThoughItWasSoldToAnother) {

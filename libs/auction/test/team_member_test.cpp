@@ -453,6 +453,20 @@ TEST_F(TeamMemberTest, WhatIsPutBackSaysWhyUntilTheLedgerSaysSo) {
   EXPECT_FALSE(one.has_ended({TaskNumber(5), 10}));
 }
 
+TEST_F(TeamMemberTest, WhatItHasDoneIsToldUnderTheSaleThatTheLedgerHas) {
+  TeamMember one = member();
+  one.handle(from(1, Beat{3, 4, granted()}), at(0));
+  one.handle(TaskDone{TaskNumber(5)}, at(10));
+  auto sold_again = granted();
+  sold_again->entries.at(TaskNumber(5)).sale = 12;
+  sold_again->revision = 6;
+
+  const auto told = said<Status>(one.handle(from(1, Beat{3, 6, sold_again}), at(11)));
+
+  ASSERT_THAT(told, SizeIs(1));
+  EXPECT_THAT(told[0].done, ElementsAre(DoneClaim{Claim{TaskNumber(5), 12}, at(10)}));
+}
+
 TEST_F(TeamMemberTest, OnlyWhoLacksTheLedgerIsSentIt) {
   TeamMember one = member();
   one.handle(Tick{}, at(0));
