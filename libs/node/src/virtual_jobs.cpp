@@ -5,27 +5,22 @@
 
 namespace skein::node {
 
-VirtualJobs::Lane& VirtualJobs::lane_of(const LaneId& id) {
-  const auto found = lanes_.find(id);
-  if (found != lanes_.end()) return found->second;
-  const auto& [node, incarnation, aside] = id;
+// Most jobs are short, few are long.
+Duration VirtualJobs::drawn(const StartJob& job, const LaneId& lane) {
+  if (times_.least >= times_.most) return times_.least;
+  const auto& [node, incarnation, aside] = lane;
   const std::string purpose =
       "jobs of " + node + "/" + std::to_string(incarnation) + (aside ? " aside" : "");
-  return lanes_.emplace(id, Lane{{}, {}, Random(seed_, purpose)}).first->second;
-}
-
-// Most jobs are short, few are long.
-Duration VirtualJobs::drawn(const StartJob& job, Random& random) const {
-  if (times_.least >= times_.most) return times_.least;
-  const double share = random.uniform();
+  const double share = random_.try_emplace(lane, seed_, purpose).first->second.uniform();
   const double span = (times_.most - times_.least).to_seconds();
   return std::min(times_.least + Duration::seconds(span * share * share * share),
                   std::max(times_.least, job.at_most));
 }
 
 void VirtualJobs::submit(const Owner& owner, StartJob job, MissionTime now) {
-  Lane& lane = lane_of({owner.node, owner.incarnation, job.aside});
-  const Duration takes = drawn(job, lane.random);
+  const LaneId id{owner.node, owner.incarnation, job.aside};
+  const Duration takes = drawn(job, id);
+  Lane& lane = lanes_[id];
   if (lane.jobs.empty()) lane.ends = now + takes;
   lane.jobs.push_back({std::move(job), submitted_++, takes});
 }
@@ -45,8 +40,7 @@ void VirtualJobs::stop(const Owner& owner, std::uint64_t id, MissionTime now) {
 
 std::optional<MissionTime> VirtualJobs::next() const {
   std::optional<MissionTime> next;
-  for (const auto& [id, lane] : lanes_)
-    if (!lane.jobs.empty()) next = next ? std::min(*next, lane.ends) : lane.ends;
+  for (const auto& [id, lane] : lanes_) next = next ? std::min(*next, lane.ends) : lane.ends;
   return next;
 }
 
@@ -54,15 +48,18 @@ std::optional<VirtualJobs::Done> VirtualJobs::take_done(MissionTime now) {
   auto first = lanes_.end();
   const auto rank = [](const Lane& lane) { return std::pair(lane.ends, lane.jobs.front().number); };
   for (auto lane = lanes_.begin(); lane != lanes_.end(); ++lane) {
-    if (lane->second.jobs.empty() || lane->second.ends > now) continue;
+    if (lane->second.ends > now) continue;
     if (first == lanes_.end() || rank(lane->second) < rank(first->second)) first = lane;
   }
   if (first == lanes_.end()) return std::nullopt;
+  const auto [node, incarnation, aside] = first->first;
   Lane& lane = first->second;
   const StartJob job = std::move(lane.jobs.front().job);
   lane.jobs.pop_front();
-  if (!lane.jobs.empty()) lane.ends = lane.ends + lane.jobs.front().takes;
-  const auto& [node, incarnation, aside] = first->first;
+  if (lane.jobs.empty())
+    lanes_.erase(first);
+  else
+    lane.ends = lane.ends + lane.jobs.front().takes;
   return Done{{node, incarnation}, {job.id, job.work({}), {}}};
 }
 

@@ -48,16 +48,15 @@ class VirtualJobs {
   struct Lane {
     std::deque<Queued> jobs;  ///< the first one runs
     MissionTime ends;         ///< the first one
-    Random random;
   };
 
-  Lane& lane_of(const LaneId& id);
-  Duration drawn(const StartJob& job, Random& random) const;
+  Duration drawn(const StartJob& job, const LaneId& lane);
 
   JobTimes times_;
   std::uint64_t seed_ = 0;
   std::uint64_t submitted_ = 0;
-  std::map<LaneId, Lane> lanes_;
+  std::map<LaneId, Lane> lanes_;     ///< those that have a job
+  std::map<LaneId, Random> random_;  ///< of lanes whose jobs do not all take the same time
 };
 
 }  // namespace skein::node
