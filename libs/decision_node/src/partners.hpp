@@ -12,6 +12,9 @@
 
 namespace skein::decision_node {
 
+/// What waited for partners and is begun again within this goes on with its wait.
+inline constexpr Duration kPlannedAgain = Duration::milliseconds(20'000);
+
 /// A partner that is out of reach is silent. Whoever waits for a silent partner waits for its
 /// lease, counted from the beginning of the silence or of the wait, whichever is later; then the
 /// partner is given up: nobody here waits for it any more until it is heard again. One that an

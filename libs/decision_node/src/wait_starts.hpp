@@ -7,24 +7,23 @@
 #include <map>
 #include <vector>
 
+#include "partners.hpp"
 #include "skein/executive/executive.hpp"
 
 namespace skein::decision_node {
 
 /// Who stops a wait and begins it again goes on with it: the next task of the same synchronisation
-/// counts from the first one, if it begins at most kAgain after the end of the one before, and that
-/// one was not met. A value.
+/// counts from the first one, if it begins at most kPlannedAgain after the end of the one before,
+/// and that one was not met. A value.
 class WaitStarts {
  public:
-  static constexpr Duration kAgain = Duration::milliseconds(20'000);
-
   /// The waits that there are; at least before each that ends.
   void see(const std::vector<executive::Wait>& waits, MissionTime now) {
     for (const executive::Wait& wait : waits) {
       const MissionTime since = start_of(wait);
       starts_[wait.synchronisation] = {wait.id, since, now};
     }
-    std::erase_if(starts_, [&](const auto& one) { return one.second.last + kAgain < now; });
+    std::erase_if(starts_, [&](const auto& one) { return one.second.last + kPlannedAgain < now; });
   }
   /// The task is over because all have come: the synchronisation that comes next is another one.
   void met(functional::TaskId task) {
@@ -35,7 +34,7 @@ class WaitStarts {
     const auto found = starts_.find(wait.synchronisation);
     if (found == starts_.end()) return wait.since;
     const Start& start = found->second;
-    const bool goes_on = start.task == wait.id || wait.since <= start.last + kAgain;
+    const bool goes_on = start.task == wait.id || wait.since <= start.last + kPlannedAgain;
     return goes_on ? std::min(start.since, wait.since) : wait.since;
   }
 

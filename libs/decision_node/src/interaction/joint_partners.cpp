@@ -4,6 +4,7 @@
 
 #include "interaction/interaction.hpp"
 #include "interaction/joint_task.hpp"
+#include "partners.hpp"
 #include "skein/foundation/joined.hpp"
 
 namespace skein::decision_node {
@@ -15,8 +16,7 @@ using interaction::JointPhase;
 constexpr Duration kTryFor = Duration::milliseconds(600'000);  // where the plan has no latest start
 // Where it has run and failed, it is due: whom it failed for comes back soon, or is done without.
 constexpr Duration kTryAgainFor = Duration::milliseconds(60'000);
-constexpr Duration kPlannedAgain = Duration::milliseconds(20'000);  // a failed attempt, by then
-constexpr Duration kLostAfter = Duration::milliseconds(60'000);     // then a partner is lost
+constexpr Duration kLostAfter = Duration::milliseconds(60'000);  // then a partner is lost
 
 }  // namespace
 
