@@ -101,8 +101,8 @@ TEST(WallClockOfTests, LosesNoSignalThatComesWhileAWaiterWaitsForItsMutex) {
   });
   condition.wait(lock);  // until it waits itself
   const auto began = std::chrono::steady_clock::now();
-  std::this_thread::sleep_for(
-      300ms);  // longer than a slice: its own is over, and the mutex is not free
+  // What is tried is that time passes: its slice of 50 ms ends while the mutex is not free.
+  std::this_thread::sleep_for(300ms);
 
   ready = true;
   condition.notify_all();

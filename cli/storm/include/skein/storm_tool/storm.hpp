@@ -24,9 +24,9 @@ struct StormOptions {
 };
 
 /// Each scenario is played once as it is, and then once a seed with troubles drawn from it: daemons
-/// that die and come back, cuts and losses of the radio, faults of vehicles and devices. Of each
-/// law that a run breaks the scenario is kept, as small as it could be made. Exit codes: 0 no law
-/// was broken, 1 some, 2 wrong input.
+/// that die and come back, cuts and losses of the radio, faults of vehicles and devices, planning
+/// that takes long. Of each law that a run breaks the scenario is kept, as small as it could be
+/// made. Exit codes: 0 no law was broken, 1 some, 2 wrong input.
 int storm(const StormOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace skein::storm_tool
