@@ -74,11 +74,12 @@ void add_mistakes(const Lot& lot, Found& found) {
 std::vector<Contradiction> contradictions(const Lot& lot) {
   Found found;
   add_mistakes(lot, found);
+  const std::size_t mistakes = found.size();
   const Catalogue catalogue(lot);
   const Chains chains(catalogue);
   add_late(catalogue, chains, found);
   add_circle(catalogue, chains, found);
-  if (!found.empty()) return found;
+  if (found.size() > mistakes) return found;
   if (const auto tight = tight_circle(catalogue)) found.push_back(*tight);
   return found;
 }

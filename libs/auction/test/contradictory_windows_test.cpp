@@ -153,6 +153,16 @@ RC_GTEST_PROP(ContradictoryWindows, WithDelaysTooTheyAreNamedIfAndOnlyIfTheTasks
                 one.why == "each is to end before the next begins");
 }
 
+// Found by the property: what was said of who may do it hid that it could not be dated.
+TEST(ContradictoryWindows, AreNamedBesideOtherMistakes) {
+  const auto found = contradictions(
+      {{a_task(11).lasting(7).by(37).pinned(1).not_for(1), a_task(12).lasting(5).from(56)},
+       {{TaskNumber(11), TaskNumber(12), {13, 18}}}});
+
+  EXPECT_EQ(found.size(), 2U);
+  EXPECT_TRUE(std::any_of(found.begin(), found.end(), is_of_time));
+}
+
 TEST(ContradictoryWindows, ACircleThroughAGreatestDelayIsSaidBoundByBound) {
   const auto found = contradictions({{a_task(11).lasting(20), a_task(12).lasting(30), a_task(13)},
                                      {{TaskNumber(11), TaskNumber(12), {60, 300}},
