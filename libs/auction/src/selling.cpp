@@ -28,6 +28,13 @@ Lot in_mission_time(Lot lot, MissionTime begun) {
   return lot;
 }
 
+// Two who hold a token in one term, as members wrongly declared lost make possible, give two sales
+// one number.
+bool same_tasks(const Catalogue& one, const Catalogue& other) {
+  return &one == &other ||
+         std::ranges::equal(one.lot().tasks, other.lot().tasks, {}, &Task::number, &Task::number);
+}
+
 // The own auctioneer says again what is not answered.
 bool waits(const std::deque<ToMember>& calls, const ToMember& call) {
   const auto round_of = [](const ToMember& said) {
@@ -73,9 +80,9 @@ bool TeamMember::Core::is_to_sell(const std::set<MemberNumber>& here) const {
 std::optional<ToAuctioneer> TeamMember::Core::answer(const ToMember& call) {
   const auto [sale, lot] =
       std::visit([](const auto& message) { return std::pair(message.sale, message.lot); }, call);
-  if (!bidding_ || bidding_->sale != sale) {
+  if (!bidding_ || bidding_->sale != sale || !same_tasks(*bidding_->lot, *lot)) {
     const bool is_waiting = bidding_ && bidding_->craft == nullptr;
-    bidding_ = Bidding{sale, is_waiting ? bidding_->since : now_, nullptr};
+    bidding_ = Bidding{sale, lot, is_waiting ? bidding_->since : now_, nullptr};
   }
   if (bidding_->craft == nullptr) {
     bidding_->craft =

@@ -122,6 +122,7 @@ class TeamMember::Core {
   /// like a gain, and the sale would not end.
   struct Bidding {
     SaleNumber sale;
+    std::shared_ptr<const Catalogue> lot;
     MissionTime since;                   ///< without a craft since then
     std::unique_ptr<const Craft> craft;  ///< none: not made yet
   };

@@ -47,5 +47,34 @@ TEST(KeptCalls, OneOfItsOwnWaitsUntilThereIsACraft) {
   EXPECT_EQ(one.ledger().entries.at(TaskNumber(5)).stage, Stage::kGranted);
 }
 
+ToMember call_for(std::uint32_t task) {
+  Task one;
+  one.number = TaskNumber(task);
+  return Call{SaleNumber(7), 1, std::make_shared<const Catalogue>(Lot{{one}, {}}), {}, 0,
+              {one.number},  0};
+}
+
+// As two send them that hold a token in one term, or anybody on the wire.
+TEST(Calls, OfOneNumberForDifferentTasksAreAnsweredEachByACraftOfItsOwn) {
+  TeamSetup setup;
+  setup.self = MemberNumber(0);
+  setup.roster = {MemberNumber(0), MemberNumber(1), MemberNumber(2)};
+  std::vector<TaskNumber> made_for;
+  setup.craft = [&](const auto& lot, MissionTime) {
+    made_for.push_back(lot->lot().tasks.at(0).number);
+    return std::make_unique<const AnyWay>();
+  };
+  TeamMember one(std::move(setup));
+  const auto hear = [&](std::uint32_t from, std::uint32_t task, double second) {
+    one.handle(Heard{MemberNumber(from), call_for(task)}, at(second));
+  };
+
+  hear(1, 5, 1);
+  hear(1, 5, 1.3);
+  hear(2, 6, 1.5);
+
+  EXPECT_EQ(made_for, (std::vector{TaskNumber(5), TaskNumber(6)}));
+}
+
 }  // namespace
 }  // namespace skein::auction
