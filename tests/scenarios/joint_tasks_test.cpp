@@ -62,8 +62,8 @@ INSTANTIATE_TEST_SUITE_P(AreaSharing, Teamwork,
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Degree5, Teamwork,
                          ::testing::Values("team/two", "team/five", "team/comets", "team/mixed",
-                                           "team/out-of-reach", "team/wall", "team/delays",
-                                           "team/abilities"),
+                                           "team/out-of-reach", "team/found-again", "team/wall",
+                                           "team/delays", "team/abilities"),
                          name_of);
 
 // Nobody has the energy for its mission, so nobody goes.

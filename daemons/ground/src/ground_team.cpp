@@ -28,6 +28,7 @@ bool GroundNode::hear_team(const node::Input& input) {
     const std::string peer = roster_.name_of(reach->peer);
     if (reach->reachable) {
       out_of_reach_.erase(peer);
+      tell_if_lost(peer);
     } else {
       out_of_reach_.insert(peer);
     }
@@ -77,13 +78,31 @@ void GroundNode::tell_team(const gs::TeamDesk::Input& input) {
 
 void GroundNode::carry_out(const gs::DeclareLost& effect) {
   log(lines::LostUav{effect.uav});
+  declared_lost_.insert(effect.uav);
   if (team_) tell_team(effect);
-  const executive::ProcessMessage told{mission::lost_message(effect.uav)};
-  for (const auto& [number, name] : roster_.names()) {
-    if (!inbox_.is_uav(number) || name == effect.uav) continue;
-    tell_control(gs::OperatorCommand{name, told, kStillNews});
-  }
+  tell_others(effect.uav, mission::lost_message(effect.uav));
   carry_out(roles_.declare_lost(effect.uav, now_));
+}
+
+void GroundNode::carry_out(const gs::DeclareFound& effect) {
+  log(lines::FoundUav{effect.uav});
+  declared_lost_.erase(effect.uav);
+  if (team_) tell_team(effect);
+  tell_others(effect.uav, mission::found_message(effect.uav));
+}
+
+void GroundNode::tell_if_lost(const std::string& uav) {
+  if (!declared_lost_.contains(uav)) return;
+  log(lines::Notice{.text = "'" + uav +
+                            "' is heard, though it was declared lost: it gets no work of the team "
+                            "until declare_found takes that back"});
+}
+
+void GroundNode::tell_others(const std::string& uav, const std::string& message) {
+  for (const auto& [number, name] : roster_.names()) {
+    if (!inbox_.is_uav(number) || name == uav) continue;
+    tell_control(gs::OperatorCommand{name, executive::ProcessMessage{message}, kStillNews});
+  }
 }
 
 void GroundNode::carry_out(const gs::TeamTell& effect) {

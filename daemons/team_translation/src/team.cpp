@@ -10,6 +10,7 @@
 #include "skein/foundation/overloaded.hpp"
 #include "skein/team/global_mission.hpp"
 #include "team_needs.hpp"
+#include "team_numbers.hpp"
 
 namespace skein::translation {
 
@@ -26,39 +27,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 tl::unexpected<wire::Violation> wrong(std::string field, std::string why) {
   return tl::unexpected<wire::Violation>({std::move(field), std::move(why)});
-}
-
-// ---- numbers ----
-
-template <class Number>
-using ValueOf = decltype(std::declval<Number>().value());
-
-template <class Number>
-std::vector<ValueOf<Number>> values_of(const std::set<Number>& numbers) {
-  std::vector<ValueOf<Number>> values;
-  for (const Number number : numbers) values.push_back(number.value());
-  return values;
-}
-
-template <class Number>
-std::vector<ValueOf<Number>> values_of(const std::vector<Number>& numbers) {
-  std::vector<ValueOf<Number>> values;
-  for (const Number number : numbers) values.push_back(number.value());
-  return values;
-}
-
-template <class Number>
-std::set<Number> set_of(const std::vector<ValueOf<Number>>& values) {
-  std::set<Number> numbers;
-  for (const auto value : values) numbers.insert(Number(value));
-  return numbers;
-}
-
-template <class Number>
-std::vector<Number> list_of(const std::vector<ValueOf<Number>>& values) {
-  std::vector<Number> numbers;
-  for (const auto value : values) numbers.push_back(Number(value));
-  return numbers;
 }
 
 // ---- tasks ----
@@ -155,6 +123,18 @@ Read<a::Lot> lot_of(const std::vector<wire::TeamTask>& tasks,
 
 // ---- the ledger ----
 
+std::vector<wire::TeamLoss> to_wire(const a::Losses& losses) {
+  std::vector<wire::TeamLoss> result;
+  for (const auto& [member, turns] : losses.turns()) result.push_back({member.value(), turns});
+  return result;
+}
+
+a::Losses from_wire(const std::vector<wire::TeamLoss>& all) {
+  a::Losses losses;
+  for (const wire::TeamLoss& one : all) losses.learn(MemberNumber(one.member), one.turns);
+  return losses;
+}
+
 wire::TeamLedger to_wire(const a::Ledger& ledger) {
   wire::TeamLedger result;
   result.term = ledger.term;
@@ -170,7 +150,7 @@ wire::TeamLedger to_wire(const a::Ledger& ledger) {
   for (const auto& [member, tasks] : ledger.routes) {
     result.routes.push_back({member.value(), values_of(tasks)});
   }
-  result.lost = values_of(ledger.lost);
+  result.losses = to_wire(ledger.losses);
   return result;
 }
 
@@ -205,7 +185,7 @@ Read<std::shared_ptr<const a::Ledger>> ledger_of(const wire::TeamLedger& sample)
   for (const wire::TeamRoute& route : sample.routes) {
     ledger->routes[MemberNumber(route.member)] = list_of<TaskNumber>(route.tasks);
   }
-  ledger->lost = set_of<MemberNumber>(sample.lost);
+  ledger->losses = from_wire(sample.losses);
   return std::shared_ptr<const a::Ledger>(std::move(ledger));
 }
 
@@ -264,7 +244,7 @@ wire::TeamMessage sample_of(const a::Status& status) {
     for (const a::Task& task : mission.lot.tasks) one.tasks.push_back(wire_task(task, true));
     one.precedences = to_wire(mission.lot.precedences);
   }
-  sample.lost = values_of(status.lost);
+  sample.losses = to_wire(status.losses);
   return sample;
 }
 
@@ -317,7 +297,7 @@ Read<a::TeamMessage> status_of(const wire::TeamMessage& sample) {
     if (!lot) return tl::unexpected(lot.error());
     status.missions.push_back({a::MissionNumber(mission.number), std::move(*lot)});
   }
-  status.lost = set_of<MemberNumber>(sample.lost);
+  status.losses = from_wire(sample.losses);
   return a::TeamMessage(std::move(status));
 }
 

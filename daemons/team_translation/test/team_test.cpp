@@ -83,7 +83,9 @@ std::shared_ptr<const Ledger> ledger() {
   entry.why = "sold to marvin for 12 s";
   book->precedences = {{TaskNumber(11), TaskNumber(12)}};
   book->routes[MemberNumber(1)] = {TaskNumber(11)};
-  book->lost = {MemberNumber(4)};
+  book->losses.declare(MemberNumber(4), true);
+  book->losses.declare(MemberNumber(5), true);
+  book->losses.declare(MemberNumber(5), false);
   return book;
 }
 
@@ -98,7 +100,7 @@ TEST(Team, ALedgerCrossesTheWireWithTheWorkOfItsTasks) {
   EXPECT_EQ(book.missions, truth->missions);
   EXPECT_EQ(book.precedences, truth->precedences);
   EXPECT_EQ(book.routes, truth->routes);
-  EXPECT_EQ(book.lost, truth->lost);
+  EXPECT_EQ(book.losses, truth->losses);
   const LedgerEntry &read = book.entries.at(TaskNumber(11)),
                     &said = truth->entries.at(TaskNumber(11));
   expect_same(read.task, said.task);
@@ -148,7 +150,7 @@ TEST(Team, AStatusCrossesTheWire) {
   status.stopped = {{TaskNumber(5), 6}};
   status.stopped_why = {"no way"};
   status.missions = {{MissionNumber(8), {{task(21)}, {{TaskNumber(21), TaskNumber(22)}}}}};
-  status.lost = {MemberNumber(2)};
+  status.losses.declare(MemberNumber(2), true);
 
   const Status read = crossed(status);
 
@@ -163,7 +165,7 @@ TEST(Team, AStatusCrossesTheWire) {
   EXPECT_EQ(read.missions[0].number, MissionNumber(8));
   expect_same(read.missions[0].lot.tasks.at(0), task(21));
   EXPECT_EQ(read.missions[0].lot.precedences, status.missions[0].lot.precedences);
-  EXPECT_EQ(read.lost, status.lost);
+  EXPECT_EQ(read.losses, status.losses);
 }
 
 TEST(Team, VotesCrossTheWire) {

@@ -41,9 +41,9 @@ LedgerEntry& TeamMember::Core::change(TaskNumber task) {
 }
 
 Status TeamMember::Core::status() const {
-  Status status{disk_.term, ledger().revision, own_.wants(now_), {},
-                {},         disk_.missions,    declared_lost_,   bids_,
-                {}};
+  Status status{disk_.term, ledger().revision, own_.wants(now_), {}, {}, {}, losses_, bids_, {}};
+  for (const GivenMission& mission : disk_.missions)
+    if (!ledger().missions.contains(mission.number)) status.missions.push_back(mission);
   for (const auto& [task, sale] : disk_.done) {
     const auto entry = ledger().entries.find(task);
     if (entry == ledger().entries.end() || entry->second.stage == Stage::kDone) continue;
@@ -85,9 +85,7 @@ void TeamMember::Core::keep_ledger() {
 
 void TeamMember::Core::take_status(MemberNumber member, const Status& status) {
   for (const GivenMission& mission : status.missions) admit(mission);
-  for (const MemberNumber lost : status.lost) {
-    if (!ledger().lost.contains(lost)) draft().lost.insert(lost);
-  }
+  if (Losses losses = ledger().losses; losses.learn(status.losses)) draft().losses = losses;
   end_claims(member, status);
   wants_[member] = status.wants;
 }
@@ -201,7 +199,7 @@ void TeamMember::Core::resell() {
     if (entry.stage != Stage::kOwned && entry.stage != Stage::kGranted) continue;
     for (const MemberNumber owner : entry.owners) {
       if (owner == setup_.self || entry.finished.contains(owner)) continue;
-      const bool lost = ledger().lost.contains(owner);
+      const bool lost = ledger().losses.is_lost(owner);
       const bool may_run = entry.stage == Stage::kGranted && !entry.task.repeatable;
       const auto known = known_.find(owner);
       const MissionTime heard =
@@ -215,8 +213,8 @@ void TeamMember::Core::resell() {
   }
   for (const auto& [task, owner] : silent) {
     put_up(change(task),
-           names_.of(owner) + (ledger().lost.contains(owner) ? " was declared lost"
-                                                             : " was silent beyond its lease"));
+           names_.of(owner) + (ledger().losses.is_lost(owner) ? " was declared lost"
+                                                              : " was silent beyond its lease"));
   }
 }
 

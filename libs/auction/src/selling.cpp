@@ -52,7 +52,7 @@ std::set<MemberNumber> TeamMember::Core::present() const {
   std::set<MemberNumber> members = heard_since(now_ - setup_.limits.patience);
   std::erase_if(members, [this](MemberNumber member) { return !known_.at(member).bids; });
   if (bids_) members.insert(setup_.self);
-  std::erase_if(members, [this](MemberNumber member) { return ledger().lost.contains(member); });
+  std::erase_if(members, [this](MemberNumber member) { return ledger().losses.is_lost(member); });
   return members;
 }
 
@@ -62,7 +62,7 @@ bool TeamMember::Core::is_to_sell(const std::set<MemberNumber>& here) const {
   const auto any_unheard = [this] {
     const std::vector<MemberNumber> members = others();
     return std::any_of(members.begin(), members.end(), [this](MemberNumber member) {
-      return !known_.contains(member) && !ledger().lost.contains(member);
+      return !known_.contains(member) && !ledger().losses.is_lost(member);
     });
   };
   // Who has just taken the token has heard nobody: all have the time of a beat to answer its first.

@@ -34,6 +34,7 @@ class TeamMember::Core {
   bool holds_token() const { return role_ == Role::kHolder; }
   const Ledger& ledger() const { return *disk_.ledger; }
   bool has_ended(const Claim& claim) const { return own_.has_ended(claim); }
+  void declare(MemberNumber member, bool lost);
   bool majority(const std::set<MemberNumber>& members) const;
 
  private:
@@ -69,7 +70,6 @@ class TeamMember::Core {
   void hold();
   void beat();
   void commit();
-  void let_go_of_missions();
   std::set<MemberNumber> heard_since(MissionTime since) const;
   std::vector<MemberNumber> others() const;
 
@@ -132,7 +132,7 @@ class TeamMember::Core {
   std::map<MemberNumber, std::vector<Claim>> wants_;  ///< last claims of each member
   TaskEnds task_ends_;
   KeptBack kept_back_;
-  std::set<MemberNumber> declared_lost_;
+  Losses losses_;  ///< what this member was told by an operator, and knew then
   bool stored_ = false, started_ = false, bids_ = true;
   TeamEffects effects_;
 };

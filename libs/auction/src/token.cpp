@@ -46,7 +46,8 @@ TeamEffects TeamMember::Core::handle(const TeamInput& input, MissionTime now) {
                  [this](const TaskDone& done) { stored_ |= own_.done(done.task, now_); },
                  [this](const TaskPutBack& back) { stored_ |= own_.put_back(back); },
                  [this](const Bids& bids) { bids_ = bids.bids && setup_.craft != nullptr; },
-                 [this](const DeclaredLost& lost) { declared_lost_.insert(lost.member); },
+                 [this](const DeclaredLost& lost) { declare(lost.member, true); },
+                 [this](const DeclaredFound& found) { declare(found.member, false); },
                  [](const Tick&) {},
              },
              input);
@@ -76,11 +77,18 @@ std::vector<MemberNumber> TeamMember::Core::others() const {
   return others;
 }
 
+void TeamMember::Core::declare(MemberNumber member, bool lost) {
+  losses_.learn(ledger().losses);
+  losses_.declare(member, lost);
+}
+
 // Of those that are not declared lost; it counts itself in.
 bool TeamMember::Core::majority(const std::set<MemberNumber>& members) const {
+  Losses losses = losses_;
+  losses.learn(ledger().losses);
   std::size_t all = 0, with = 0;
   for (const MemberNumber member : setup_.roster) {
-    if (ledger().lost.contains(member) || declared_lost_.contains(member)) continue;
+    if (losses.is_lost(member)) continue;
     ++all;
     with += member == setup_.self || members.contains(member) ? 1 : 0;
   }
@@ -210,7 +218,6 @@ void TeamMember::Core::on(const Beat& beat, MemberNumber from) {
     stored_ = true;
   }
   committed_ = beat.committed;
-  let_go_of_missions();
   stored_ |= own_.give_up_claims();
   tell(from, status());
 }
@@ -242,16 +249,6 @@ void TeamMember::Core::commit() {
       changed_ = true;
     }
   }
-  let_go_of_missions();
-}
-
-// Not before a majority has them: a ledger that only its holder has is lost with the token.
-void TeamMember::Core::let_go_of_missions() {
-  if (ledger().term != disk_.term || committed_ < ledger().revision) return;
-  const std::size_t gone = std::erase_if(disk_.missions, [this](const GivenMission& mission) {
-    return ledger().missions.contains(mission.number);
-  });
-  stored_ |= gone > 0;
 }
 
 // One after the other: of two auctioneers the later is answered, and the other asks again.

@@ -335,7 +335,19 @@ TEST_F(LedgerKeepingTest, WhatALostMemberWasGrantedIsForSaleAtOnce) {
 
   EXPECT_EQ(stage(4), Stage::kForSale);
   EXPECT_EQ(entry(4).why, "karma was declared lost");
-  EXPECT_THAT(holder->ledger().lost, ElementsAre(MemberNumber(1)));
+  EXPECT_TRUE(holder->ledger().losses.is_lost(MemberNumber(1)));
+}
+
+TEST_F(LedgerKeepingTest, WhoIsFoundAgainCountsWhateverOthersHeardOfTheLoss) {
+  holds(a_ledger().has(a_task(4), Stage::kGranted, {1}));
+  holder->handle(DeclaredLost{MemberNumber(1)}, at(6));
+  Status knows_less = wants({});
+  knows_less.losses.declare(MemberNumber(1), true);
+
+  holder->handle(DeclaredFound{MemberNumber(1)}, at(7));
+  says(2, knows_less, 7.5);
+
+  EXPECT_FALSE(holder->ledger().losses.is_lost(MemberNumber(1)));
 }
 
 TEST_F(LedgerKeepingTest, WhatALostMemberHadFinishedOfAJointTaskCounts) {
@@ -343,7 +355,7 @@ TEST_F(LedgerKeepingTest, WhatALostMemberHadFinishedOfAJointTaskCounts) {
   says(1, done({claim_to(4)}));
 
   Status tells = wants({});
-  tells.lost = {MemberNumber(1)};
+  tells.losses.declare(MemberNumber(1), true);
   says(2, tells);
 
   EXPECT_EQ(stage(4), Stage::kGranted);

@@ -279,7 +279,7 @@ TEST_F(TeamMemberTest, AHolderThatHearsNoMajorityGivesTheTokenUp) {
 
 // Found by a random mission (--team --deaths 11988): the ground station held the token, was given a
 // mission, and another held it before anybody had heard of that.
-TEST_F(TeamMemberTest, AMissionIsSaidToNewHoldersUntilAMajorityHasIt) {
+TEST_F(TeamMemberTest, AMissionIsSaidToHoldersWhoseLedgerLacksIt) {
   TeamMember one = member();
   one.handle(Tick{}, at(0));
   one.handle(Tick{}, *one.next_wakeup());
@@ -297,23 +297,12 @@ TEST_F(TeamMemberTest, AMissionIsSaidToNewHoldersUntilAMajorityHasIt) {
   later = std::make_shared<Ledger>(*later);
   ++later->revision;
   later->missions.insert(MissionNumber(7));
-  EXPECT_EQ(said_after({3, 4, later}, 7), 1U);
-  EXPECT_EQ(said_after({3, 5, nullptr}, 8), 0U);
-}
-
-TEST_F(TeamMemberTest, AHolderKeepsAMissionUntilAMajorityHasIt) {
-  TeamMember one = member();
-  one.handle(Tick{}, at(0));
-  one.handle(Tick{}, *one.next_wakeup());
-  one.handle(from(1, Vote{1, true}), at(5));
-  one.handle(from(1, Vote{1, false}), at(5));
-  const auto kept = [](const TeamEffects& effects) {
-    return std::get<Store>(effects.front()).disk.missions.size();
-  };
-
-  EXPECT_EQ(kept(one.handle(MissionGiven{{MissionNumber(7), {}}}, at(5.1))), 1U);
-  const Status has{1, one.ledger().revision, {}, {}, {}, {}, {}, true, {}};
-  EXPECT_EQ(kept(one.handle(from(2, has), at(5.2))), 0U);
+  EXPECT_EQ(said_after({3, 4, later}, 7), 0U);
+  EXPECT_EQ(said_after({3, 4, nullptr}, 8), 0U);
+  later = std::make_shared<Ledger>(*later);
+  later->term = 5;
+  later->missions.erase(MissionNumber(7));
+  EXPECT_EQ(said_after({5, 5, later}, 9), 1U) << "a member that had not heard of it took the token";
 }
 
 // ---- taking part, and beats ----

@@ -70,6 +70,10 @@ void TeamSimulation::declare_lost(std::size_t told, std::size_t lost) {
   feed(told, DeclaredLost{number_of(lost)});
 }
 
+void TeamSimulation::declare_found(std::size_t told, std::size_t found) {
+  feed(told, DeclaredFound{number_of(found)});
+}
+
 void TeamSimulation::fail_task(std::size_t member) {
   Member& one = members_[member];
   if (!one.alive || !one.running) return;

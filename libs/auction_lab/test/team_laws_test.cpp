@@ -6,6 +6,9 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "test_cases.hpp"
 #include "testing/team.hpp"
@@ -17,14 +20,17 @@ namespace {
 using namespace testing;
 using ::testing::IsEmpty;
 
+MemberNumber member_number(std::size_t n) { return MemberNumber(static_cast<std::uint32_t>(n)); }
+
 class RandomMission {
  public:
   enum class Delays : std::uint8_t { kNone, kWide };
-  explicit RandomMission(std::uint64_t seed, Delays delays = Delays::kNone)
+  explicit RandomMission(std::uint64_t seed, Delays delays = Delays::kNone, bool ground = false)
       : random_(seed, "team-laws"),
         bounds_(seed, "team-laws/delays"),
+        losses_(seed, "team-laws/losses"),
         delays_(delays),
-        team_(world(seed)) {}
+        team_(world(seed, ground)) {}
 
   // Without any, for long enough.
   void play_without_trouble() {
@@ -44,6 +50,25 @@ class RandomMission {
     team_.run_until(team_.now() + Duration::seconds(900));
   }
 
+  // The same while the operator, at the ground station, declares one vehicle after another lost,
+  // rightly or not, and takes it back. Then each has a task that no other may do.
+  void play_with_losses() {
+    for (std::uint64_t mission = 1; mission <= 1 + random_.below(2); ++mission) give(mission);
+    while (team_.now() < MissionTime::seconds(120)) {
+      team_.run_until(team_.now() + Duration::seconds(random_.uniform(0.5, 12)));
+      trouble();
+      declare();
+    }
+    team_.heal_all();
+    for (std::size_t m = 0; m < team_.size(); ++m) team_.restart(m);
+    team_.run_until(team_.now() + Duration::seconds(60));
+    for (std::size_t m = 0; m + 1 < team_.size(); ++m) team_.declare_found(ground(), m);
+    give_each();
+    team_.run_until(team_.now() + Duration::seconds(900));
+  }
+
+  /// Who was declared lost at any time.
+  const std::set<MemberNumber>& ever_lost() const { return ever_lost_; }
   const TeamSimulation& team() const { return team_; }
   std::vector<Precedence> precedences() const {
     std::vector<Precedence> all;
@@ -54,11 +79,11 @@ class RandomMission {
   std::size_t tasks() const { return tasks_; }
 
  private:
-  TeamWorld world(std::uint64_t seed) {
+  TeamWorld world(std::uint64_t seed, bool ground) {
     TeamWorld world;
     const std::size_t vehicles = 2 + random_.below(4);
     for (std::size_t i = 0; i < vehicles; ++i) world.vehicles.push_back({place(), {}, 5});
-    world.ground = random_.chance(0.5);
+    world.ground = random_.chance(0.5) || ground;
     world.loss = random_.chance(0.5) ? random_.uniform(0, 0.2) : 0;
     world.limits.ahead = 1 + static_cast<std::uint32_t>(random_.below(3));
     world.limits.sale.patience = 10;
@@ -110,6 +135,33 @@ class RandomMission {
     return delay;
   }
 
+  std::size_t ground() const { return team_.size() - 1; }
+
+  void declare() {
+    if (!team_.alive(ground())) return;
+    if (lost_ && losses_.chance(0.4)) {
+      team_.declare_found(ground(), *std::exchange(lost_, std::nullopt));
+    } else if (!lost_ && losses_.chance(0.3)) {
+      lost_ = losses_.below(ground());
+      ever_lost_.insert(member_number(*lost_));
+      team_.declare_lost(ground(), *lost_);
+    }
+  }
+
+  void give_each() {
+    GivenMission mission{MissionNumber(900), {}};
+    for (std::size_t m = 0; m < ground(); ++m) {
+      Task task;
+      task.number = task_number(90'000 + m);
+      task.at = place();
+      task.duration = 5;
+      task.pinned = member_number(m);
+      mission.lot.tasks.push_back(task);
+    }
+    tasks_ += ground();
+    team_.give(ground(), mission);
+  }
+
   std::size_t any() { return random_.below(team_.size()); }
 
   void trouble() {
@@ -152,9 +204,11 @@ class RandomMission {
     if (random_.chance(0.5)) team_.crash(one);
   }
 
-  Random random_, bounds_;
+  Random random_, bounds_, losses_;
   Delays delays_;
   std::size_t tasks_ = 0;
+  std::optional<std::size_t> lost_;
+  std::set<MemberNumber> ever_lost_;
   std::vector<GivenMission> given_;
   TeamSimulation team_;
 };
@@ -180,6 +234,38 @@ TEST(TeamLaws, NothingIsDoneTwiceNothingIsForgottenEverySaleIsExplained) {
     EXPECT_EQ(mission.team().token_holders(), 1U) << "seed " << seed;
   }
   std::cout << seed - from << " missions played, seeds " << from << " to " << seed - 1 << '\n';
+}
+
+// Without what was sold to one that was declared lost: that may be done twice.
+std::vector<Execution> of_the_others(const RandomMission& mission) {
+  std::set<TaskNumber> doubtful;
+  const auto& all = mission.team().executions();
+  for (const Execution& one : all)
+    for (const MemberNumber owner : one.owners)
+      if (mission.ever_lost().contains(owner)) doubtful.insert(one.claim.task);
+  std::vector<Execution> result;
+  for (const Execution& one : all)
+    if (!doubtful.contains(one.claim.task)) result.push_back(one);
+  return result;
+}
+
+TEST(TeamLaws, WhoWasDeclaredLostAndFoundAgainIsSoldToAgain) {
+  const std::uint64_t from = environment("SKEIN_TEAM_SEED", 1);
+  const std::uint64_t count =
+      environment("SKEIN_TEAM_COUNT", skein::testing::cases<std::uint64_t>(60, 10'000));
+  std::size_t lost = 0;
+  for (std::uint64_t seed = from; seed < from + count && !HasFailure(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomMission mission(seed, RandomMission::Delays::kNone, true);
+    mission.play_with_losses();
+
+    EXPECT_THAT(executed_twice(of_the_others(mission)), IsEmpty());
+    EXPECT_THAT(unexplained(mission.team().executions()), IsEmpty());
+    EXPECT_THAT(unfinished(mission.team(), mission.tasks()), IsEmpty());
+    EXPECT_EQ(mission.team().token_holders(), 1U);
+    lost += mission.ever_lost().size();
+  }
+  EXPECT_GT(lost, count / 2);
 }
 
 /// Those that nobody did, of those that have a greatest time after another, or come after such one.

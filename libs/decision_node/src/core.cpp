@@ -149,6 +149,12 @@ void Core::declare_lost(const std::string& uav) {
   });
 }
 
+void Core::declare_found(const std::string& uav) {
+  if (!partners_.is_declared_lost(uav)) return;
+  partners_.declare_found(uav);
+  bus_.emit(Notice{"'" + uav + "' is found again: it is waited for as others are"});
+}
+
 // It is asked, not supposed: one that has not forgotten after all says what it told before.
 void Core::on(const LayerForgot&) {
   for (const functional::TaskId task : vehicle_.under_way()) {

@@ -50,6 +50,8 @@ class Core {
 
   /// An operator says that this UAV is lost: nobody here waits for it any more.
   void declare_lost(const std::string& uav);
+  /// An operator takes that back.
+  void declare_found(const std::string& uav);
   /// Tells every component that a task entered a state, whichever executive has it, if any.
   void tell_task(const executive::TaskEvent& event);
   /// Interrupts a task that the functional layer was given.

@@ -53,8 +53,10 @@ void Execution::take(const Command& command) {
   if (start != nullptr && start->task.id >= functional::kFirstRoleId) {
     return core_.commands().refuse(command, kOwnIds);
   }
-  if (const auto* message = std::get_if<executive::ProcessMessage>(&command.request))
+  if (const auto* message = std::get_if<executive::ProcessMessage>(&command.request)) {
     if (const auto lost = mission::uav_lost_in(message->message)) core_.declare_lost(*lost);
+    if (const auto found = mission::uav_found_in(message->message)) core_.declare_found(*found);
+  }
   post({input_of(command.request), By::kNode, command});
 }
 

@@ -27,6 +27,7 @@ class Partners {
   void start(MissionTime now) { born_ = now; }
   void contact(const Contact& contact, MissionTime now);
   void declare_lost(const std::string& uav) { lost_.insert(uav); }
+  void declare_found(const std::string& uav) { lost_.erase(uav); }
 
   /// Since when a UAV is out of reach; absent: it is in reach.
   std::optional<MissionTime> silent_since(const std::string& uav) const;

@@ -83,6 +83,13 @@ TEST_F(APartner, ThatIsDeclaredLostIsGivenUpAtOnceUntilItIsHeardAnew) {
   EXPECT_EQ(given_up(10, 30), "");
 }
 
+TEST_F(APartner, ThatIsFoundAgainIsWaitedForThoughItWasNeverOutOfReach) {
+  heard(5);
+  partners.declare_lost("heliv");
+  partners.declare_found("heliv");
+  EXPECT_EQ(given_up(10, 10), "");
+}
+
 TEST_F(APartner, IsNotTheGroundStation) {
   heard(5);
   partners.contact({"heliv", true, false}, MissionTime::seconds(10));
@@ -110,6 +117,17 @@ TEST(DeclaredLost, EndsTheWaitOfASynchronisationAtOnceAtAnyDegree) {
         marvin.give(Command{{1, 1}, executive::ProcessMessage{mission::lost_message("heliv")}});
     EXPECT_THAT(aborted(effects), Contains("'heliv' is declared lost")) << degree;
   }
+}
+
+TEST(DeclaredLost, AndFoundAgainItIsWaitedFor) {
+  FlownNode marvin(3);
+  const auto told = [&](std::uint64_t number, const std::string& message) {
+    return marvin.give(Command{{1, number}, executive::ProcessMessage{message}});
+  };
+  told(1, mission::lost_message("heliv"));
+  told(2, mission::found_message("heliv"));
+  marvin.answer_to(waiting_for_heliv());
+  EXPECT_THAT(aborted(marvin.give(Tick{})), ::testing::IsEmpty());
 }
 
 TEST(DeclaredLost, OfAStrangerNothingFollows) {

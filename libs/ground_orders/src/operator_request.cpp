@@ -12,7 +12,7 @@ namespace {
 constexpr auto kActions = std::to_array<const char*>(
     {"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
      "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "tell_world",
-     "global_mission", "declare_lost", "play", "finish"});
+     "global_mission", "declare_lost", "declare_found", "play", "finish"});
 static_assert(kActions.size() == std::variant_size_v<Action>);
 
 std::string object_of(const CloseAir& action) { return " " + action.volume.name; }
@@ -56,9 +56,10 @@ std::string to_text(const OperatorDeed& deed) {
 
 std::string commanded_by(const OperatorDeed& deed) {
   const auto uav_of = [](const auto& one) -> std::string {
-    // One that is declared lost is not commanded.
-    constexpr bool lost = std::is_same_v<std::decay_t<decltype(one)>, DeclareLost>;
-    if constexpr (!lost && requires { one.uav; }) {
+    // One that is declared lost or found is not commanded.
+    using Deed = std::decay_t<decltype(one)>;
+    constexpr bool told = std::is_same_v<Deed, DeclareLost> || std::is_same_v<Deed, DeclareFound>;
+    if constexpr (!told && requires { one.uav; }) {
       return one.uav;
     } else {
       return "";

@@ -37,11 +37,25 @@ TEST(OperatorDeed, IsSaidWithItsObject) {
 }
 
 TEST(OperatorDeed, OfEachKindHasAWordOfItsOwn) {
-  const std::vector<Action> all{
-      SendPlan{},      AbortTasks{}, SendMessage{}, UpdateConditions{}, SendMission{},
-      CancelMission{}, SetDegree{},  TakeInHand{},  GiveBack{},         ResumePlan{},
-      DropPlan{},      CloseAir{},   OpenAir{},     TellWorld{},        SendGlobalMission{},
-      DeclareLost{},   PlayRole{},   Finish{}};
+  const std::vector<Action> all{SendPlan{},
+                                AbortTasks{},
+                                SendMessage{},
+                                UpdateConditions{},
+                                SendMission{},
+                                CancelMission{},
+                                SetDegree{},
+                                TakeInHand{},
+                                GiveBack{},
+                                ResumePlan{},
+                                DropPlan{},
+                                CloseAir{},
+                                OpenAir{},
+                                TellWorld{},
+                                SendGlobalMission{},
+                                DeclareLost{},
+                                DeclareFound{},
+                                PlayRole{},
+                                Finish{}};
   std::set<std::string> words;
   for (const Action& one : all) {
     const std::string text = to_text(OperatorDeed(one));
@@ -61,6 +75,7 @@ TEST(OperatorDeed, CommandsTheUavItIsFor) {
 // Else nobody could declare lost, or ask for, what another has in hand.
 TEST(OperatorDeed, CommandsNobodyWhereItOnlySpeaksOfAUav) {
   EXPECT_EQ(commanded_by(Action(to<DeclareLost>("marvin"))), "");
+  EXPECT_EQ(commanded_by(Action(to<DeclareFound>("marvin"))), "");
   EXPECT_EQ(commanded_by(to<AskForUav>("marvin")), "");
   EXPECT_EQ(commanded_by(to<KeepUav>("marvin")), "");
   EXPECT_EQ(commanded_by(to<LetGo>("marvin")), "");

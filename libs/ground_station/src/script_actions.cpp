@@ -95,6 +95,10 @@ void MissionPlanning::perform(const DeclareLost& action, const Deed& deed) {
   deed.effects.emplace_back(action);
 }
 
+void MissionPlanning::perform(const DeclareFound& action, const Deed& deed) {
+  deed.effects.emplace_back(action);
+}
+
 void MissionPlanning::perform(const PlayRole& action, const Deed& deed) {
   PlayRole play = action;
   if (play.asked_by.empty()) play.asked_by = deed.asked_by;

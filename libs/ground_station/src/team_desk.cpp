@@ -140,12 +140,21 @@ void TeamDesk::give_what_may(mission::MissionId id, MissionTime now, Effects& ou
 }
 
 void TeamDesk::accept(const DeclareLost& lost, MissionTime now, Effects& out) {
-  const auto member = roster_.number_of(lost.uav);
+  declare<auction::DeclaredLost>(lost.uav, now, out);
+}
+
+void TeamDesk::accept(const DeclareFound& found, MissionTime now, Effects& out) {
+  declare<auction::DeclaredFound>(found.uav, now, out);
+}
+
+template <class Declared>
+void TeamDesk::declare(const std::string& uav, MissionTime now, Effects& out) {
+  const auto member = roster_.number_of(uav);
   if (!member) {
-    out.emplace_back(Anomaly{"'" + lost.uav + "' is not in the team"});
+    out.emplace_back(Anomaly{"'" + uav + "' is not in the team"});
     return;
   }
-  tell_member(auction::DeclaredLost{*member}, now, out);
+  tell_member(Declared{*member}, now, out);
 }
 
 void TeamDesk::tell_member(const auction::TeamInput& input, MissionTime now, Effects& out) {

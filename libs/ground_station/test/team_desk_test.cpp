@@ -286,8 +286,20 @@ TEST(TeamDesk, WhoIsLostIsSaidToTheTeamAndAStrangerIsNot) {
 
   const auto told = ground.handle(beat(auction::Stage::kOwned, 1), at(2));
 
-  EXPECT_THAT(answer_of(told).lost, ElementsAre(auction::MemberNumber(1)));
+  EXPECT_TRUE(answer_of(told).losses.is_lost(auction::MemberNumber(1)));
   EXPECT_THAT(all<Anomaly>(ground.handle(DeclareLost{"karma"}, at(3))), SizeIs(1));
+}
+
+TEST(TeamDesk, WhoIsFoundAgainIsSaidToTheTeam) {
+  TeamDesk ground = desk();
+  ground.handle(DeclareLost{"heliv"}, at(1));
+  ground.handle(DeclareFound{"heliv"}, at(1.5));
+
+  const auto told = ground.handle(beat(auction::Stage::kOwned, 1), at(2));
+
+  EXPECT_FALSE(answer_of(told).losses.is_lost(auction::MemberNumber(1)));
+  EXPECT_THAT(answer_of(told).losses.turns(), SizeIs(1)) << "who knows of the loss alone hears it";
+  EXPECT_THAT(all<Anomaly>(ground.handle(DeclareFound{"karma"}, at(3))), SizeIs(1));
 }
 
 TEST(TeamDesk, WithoutAHolderItStandsForTheToken) {

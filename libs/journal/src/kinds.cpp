@@ -22,11 +22,11 @@ std::vector<Kind> described() {
 std::vector<Kind> all() {
   using namespace lines;
   return described<Mission, Phase, Step, Operator, Asked, Hand, Command, Degree, Held, LostUav,
-                   Contact, Notice, Alarm, Perception, Seen, Request, Task, Sync, Functional, Goal,
-                   Plan, Planned, Decision, Answer, Air, Meeting, Frontier, Joint, Role, RoleTask,
-                   Place, Scm, Negotiation, GlobalMission, Owner, Token, Sale, Bid, TeamTask,
-                   Message, Resumed, Route, Reach, Expired, Lost, Unsent, Dropped, Transport, Link,
-                   Telemetry, Object, Fault, Process, Waiting, Expectation>();
+                   FoundUav, Contact, Notice, Alarm, Perception, Seen, Request, Task, Sync,
+                   Functional, Goal, Plan, Planned, Decision, Answer, Air, Meeting, Frontier, Joint,
+                   Role, RoleTask, Place, Scm, Negotiation, GlobalMission, Owner, Token, Sale, Bid,
+                   TeamTask, Message, Resumed, Route, Reach, Expired, Lost, Unsent, Dropped,
+                   Transport, Link, Telemetry, Object, Fault, Process, Waiting, Expectation>();
 }
 
 }  // namespace

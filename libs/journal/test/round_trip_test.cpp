@@ -191,10 +191,10 @@ std::vector<Laws> laws_of() {
 std::vector<Laws> all_laws() {
   using namespace lines;
   return laws_of<Mission, Phase, Step, Operator, Asked, Hand, Command, Degree, Held, LostUav,
-                 Contact, Notice, Alarm, Perception, Seen, Request, Task, Sync, Functional, Goal,
-                 lines::Plan, Planned, Decision, Answer, Air, Meeting, Frontier, Joint, Role,
-                 RoleTask, Place, Scm, Negotiation, GlobalMission, Owner, Token, Sale, Bid,
-                 TeamTask, Message, Resumed, Route, Reach, Expired, Lost, Unsent, Dropped,
+                 FoundUav, Contact, Notice, Alarm, Perception, Seen, Request, Task, Sync,
+                 Functional, Goal, lines::Plan, Planned, Decision, Answer, Air, Meeting, Frontier,
+                 Joint, Role, RoleTask, Place, Scm, Negotiation, GlobalMission, Owner, Token, Sale,
+                 Bid, TeamTask, Message, Resumed, Route, Reach, Expired, Lost, Unsent, Dropped,
                  Transport, Link, Telemetry, Object, Fault, Process, Waiting, Expectation>();
 }
 

@@ -63,6 +63,8 @@ std::vector<Violation> places_against_constraints(const History& history);
 std::vector<Violation> joint_tasks_not_done(const History& history);
 // team.cpp
 std::vector<Violation> team_sales_nobody_bid_in(const History& history);
+std::vector<Violation> granted_and_not_begun(const History& history);
+std::vector<Violation> not_asked_in_sales(const History& history);
 std::vector<Violation> team_tasks_begun_twice(const History& history);
 std::vector<Violation> team_tasks_without_owner(const History& history);
 std::vector<Violation> left_aloft(const History& history);

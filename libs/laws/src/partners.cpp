@@ -62,11 +62,11 @@ double patience_ends(const History& history, const Uav& uav, const Execution& wa
   const auto& planning = history.scenario->planning;
   const double lease = planning ? planning->partner_lease.to_seconds() : kNever;
   double ends = std::max(began(uav, wait), since) + lease;
-  const auto lost = history.lost.find(partner);
-  if (lost == history.lost.end()) return ends;
-  const double told = std::max({began(uav, wait), since, lost->second});
-  const bool hears = history.joint.up("ground", uav.name(), lost->second, told + kMargin) &&
-                     !history.was_away("ground", lost->second, told + kMargin);
+  const auto lost = history.lost_since(partner, std::min(wait.over, history.end));
+  if (!lost) return ends;
+  const double told = std::max({began(uav, wait), since, *lost});
+  const bool hears = history.joint.up("ground", uav.name(), *lost, told + kMargin) &&
+                     !history.was_away("ground", *lost, told + kMargin);
   return hears ? std::min(ends, told) : ends;
 }
 

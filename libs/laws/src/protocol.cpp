@@ -25,6 +25,8 @@ using journal::Record;
 using journal::Written;
 
 constexpr Duration kSettling = Duration::milliseconds(6'000);
+/// Life of the words that another UAV is lost, or found again (docs/interaction.md).
+constexpr Duration kNews = Duration::milliseconds(600'000);
 constexpr double kMoment = 0.5;  ///< [s] more than any latency of a test
 /// Long messages are numbered from here on, and have an order of their own.
 constexpr std::uint64_t kFirstLongMessage = std::uint64_t{1} << 50;
@@ -68,7 +70,7 @@ class Checker {
     const auto known = commands_.find(line.command);
     if (line.state == "issued") {
       if (known != commands_.end()) breach(when.record, "a command is issued twice");
-      commands_[line.command] = {when.at, ground_away(when.at)};
+      commands_[line.command] = {when.at, ground_away(when.at), limit_of(line)};
       return;
     }
     const std::string what = line.state == "delivered" ? "delivered" : "settled";
@@ -76,7 +78,7 @@ class Checker {
       return breach(when.record, "a command is " + what + " before its issue");
     Command& command = known->second;
     if (command.settled) breach(when.record, "a command is " + what + " twice or after its end");
-    if (age_of(command, when.at) > command_limit_)
+    if (age_of(command, when.at) > command.limit)
       breach(when.record, "a command is " + what + " too late");
     if (line.state == "delivered") return see_delivered(when.record, command);
     if (line.state == "acknowledged" && !command.delivered)
@@ -153,6 +155,7 @@ class Checker {
   struct Command {
     MissionTime issued;
     Duration away_before;  ///< that the ground station was dead before its issue
+    Duration limit;        ///< until it is settled
     bool delivered = false, settled = false;
   };
   struct HandedOver {
@@ -183,6 +186,14 @@ class Checker {
     return next == "scheduled" || may_follow(handed->second.state, next);
   }
 
+  // Words of who is lost or found again are news for longer than commands are.
+  Duration limit_of(const lines::Command& line) const {
+    const std::string& what = line.what;
+    const bool is_news =
+        what.starts_with("PROCESS-MSG lost ") || what.starts_with("PROCESS-MSG found ");
+    return is_news ? std::max(command_limit_, kNews + kSettling) : command_limit_;
+  }
+
   void see_delivered(const Record& record, Command& command) {
     if (command.delivered) breach(record, "a command is delivered twice");
     command.delivered = true;
@@ -204,7 +215,7 @@ class Checker {
   }
 
   void unsettled(std::uint64_t number, const Command& command) {
-    if (command.settled || age_of(command, last_) <= command_limit_) return;
+    if (command.settled || age_of(command, last_) <= command.limit) return;
     breaches_.push_back("command " + std::to_string(number) + " of " + to_text(command.issued) +
                         " s was never settled");
   }

@@ -44,9 +44,17 @@ bool out_of_contact(const Uav& uav) {
   });
 }
 
+// Since when nobody says that it is lost; never: somebody does.
+double counted_since(const History& history, const std::string& uav) {
+  const auto lost = history.lost.find(uav);
+  return lost == history.lost.end() ? 0 : lost->second.back().second;
+}
+
 // It has been in reach of most of those who vote for as long as a sale takes, over links of its
 // own.
-bool may_be_sold_to(const History& history, const std::string& uav, double since) {
+bool may_be_sold_to(const History& history, const std::string& uav, double from) {
+  const double since = std::max(from, counted_since(history, uav));
+  if (since == kNever) return false;
   std::size_t voters = 1, heard = 1;
   const auto count = [&](const std::string& other) {
     ++voters;
@@ -102,7 +110,7 @@ constexpr double kRest = 10, kBegun = 40;
 double last_with_most(const History& history, const std::string& uav) {
   std::set<std::string> nodes{"ground"};
   for (const auto& [name, it] : history.uavs)
-    if (name == uav || !history.lost.contains(name)) nodes.insert(name);
+    if (name == uav || !history.lost_since(name, history.end)) nodes.insert(name);
   std::vector<double> heard;
   for (const std::string& other : nodes)
     if (other != uav) heard.push_back(history.joint.last_reached(other, uav, nodes, history.end));
@@ -262,6 +270,27 @@ std::vector<Violation> left_aloft(const History& history) {
     result.push_back({"", history.end, name, 0,
                       "stays in the air without a goal, out of reach of most of its team since " +
                           figure(apart) + " s"});
+  }
+  return result;
+}
+
+// Who has a grant and nothing else to do begins it. Of a joint task all others must be there.
+std::vector<Violation> granted_and_not_begun(const History& history) {
+  std::vector<Violation> result;
+  for (const auto& [number, task] : history.team.tasks) {
+    if (task.standings.empty() || task.standings.back().stage != "granted") continue;
+    const TeamStanding& last = task.standings.back();
+    const auto uav = history.uavs.find(last.owners);
+    if (uav == history.uavs.end() || uav->second.degree(history.end) < 5) continue;
+    const bool begun = std::ranges::any_of(task.works, [&](const TeamWork& work) {
+      return work.sale == last.sale && work.uav == last.owners;
+    });
+    const double since = std::max(last.at, free_since(history, uav->second));
+    if (begun || since + kBegun > history.end || out_of_contact(uav->second)) continue;
+    if (!may_be_sold_to(history, last.owners, since)) continue;
+    result.push_back({"", history.end, last.owners, 0,
+                      "has nothing to do since " + figure(since) + " s, and does not begin " +
+                          named(number) + ", which it was granted"});
   }
   return result;
 }

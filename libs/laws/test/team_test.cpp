@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/journal/lines/mission.hpp"
 #include "skein/journal/lines/team.hpp"
 #include "testing/story.hpp"
 
@@ -105,6 +106,58 @@ TEST(TeamAsked, WhatIsSoldIsOwnedUnderTheSaleInWhichItWasBidFor) {
   };
   EXPECT_THAT(sold_under(4), IsEmpty());
   EXPECT_THAT(sold_under(3), ElementsAre(HasSubstr("sale 3, in which nobody was asked")));
+}
+
+/// Heliv alone bids for task 11 at 100 s; Marvin takes part too. `lost`, `found`: when an operator
+/// says so of Marvin, if at all.
+std::vector<std::string> called(std::optional<double> lost, std::optional<double> found,
+                                double cut_until = 0, bool bids = false) {
+  Story story;
+  story.degree("marvin", 0, 5).degree("heliv", 0, 5).stands("marvin", 0, 200);
+  const auto at = [&](double when, const std::string& node, const auto& line) {
+    story.line(journal::record_of(MissionTime::seconds(when), node, line));
+  };
+  using namespace journal::lines;
+  if (cut_until > 0) story.link(1, "marvin", "heliv", false);
+  if (cut_until > 0) story.link(cut_until, "marvin", "heliv", true);
+  if (lost) at(*lost, "ground", LostUav{.uav = "marvin"});
+  if (found) at(*found, "ground", FoundUav{.uav = "marvin"});
+  at(100, "heliv", Bid{.uav = "heliv", .task = 11, .sale = 4});
+  if (bids) at(101, "marvin", Bid{.uav = "marvin", .task = 12, .sale = 4, .why = "too far"});
+  return story.broken("team-called");
+}
+
+TEST(TeamCalled, WhoTakesPartIsAskedInEachSale) {
+  EXPECT_THAT(called({}, {}), ElementsAre(HasSubstr("is not asked in sale 4")));
+  EXPECT_THAT(called({}, {}, 0, true), IsEmpty());
+}
+
+TEST(TeamCalled, WhoIsNotReachedByAllMayBeLeftOut) {
+  EXPECT_THAT(called({}, {}, 50), IsEmpty());
+  EXPECT_THAT(called({}, {}, 30), SizeIs(1));
+}
+
+TEST(TeamCalled, WhoIsDeclaredLostIsAskedAgainOnceItIsFound) {
+  EXPECT_THAT(called(10, {}), IsEmpty());
+  EXPECT_THAT(called(10, 60), IsEmpty()) << "just now";
+  EXPECT_THAT(called(10, 30), SizeIs(1));
+}
+
+TEST(TeamBegun, WhoIsGrantedATaskAndHasNothingElseToDoBeginsIt) {
+  const auto granted = [](double at, bool begins, const std::string& goal) {
+    Story story;
+    story.degree("marvin", 0, 5).stands("marvin", 0, 200);
+    story.owner(at, 11, "granted", 4, "marvin", "sold to marvin for 12 s");
+    if (begins) story.team("marvin", at + 1, 11, 4, "begun");
+    if (!goal.empty()) story.goal("marvin", 7, "(perceive P1 5)", goal, at + 1);
+    return story.broken("team-begun");
+  };
+
+  EXPECT_THAT(granted(100, false, ""), ElementsAre(HasSubstr("does not begin task 11")));
+  EXPECT_THAT(granted(100, true, ""), IsEmpty());
+  EXPECT_THAT(granted(180, false, ""), IsEmpty()) << "just now";
+  EXPECT_THAT(granted(100, false, "under-way"), IsEmpty()) << "it is at something else";
+  EXPECT_THAT(granted(100, false, "achieved"), SizeIs(1));
 }
 
 TEST(TeamOwned, ATaskForSaleForLongWhileEverybodyIsThereIsForgotten) {

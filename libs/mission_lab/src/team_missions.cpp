@@ -21,6 +21,7 @@ class TeamDrawing {
         lasting_(seed, "lasting cuts of a team"),
         bounds_(seed, "times between tasks of a team"),
         abilities_(seed, "what tasks of a team need"),
+        losses_(seed, "who of a team is declared lost"),
         kinds_(kinds) {
     mission_.seed = seed;
   }
@@ -40,6 +41,7 @@ class TeamDrawing {
     }
     if (kinds_.faults) draw_delays();
     if (kinds_.deaths) draw_deaths();
+    if (kinds_.faults && losses_.chance(0.3)) draw_loss();
     return std::move(mission_);
   }
 
@@ -157,12 +159,37 @@ class TeamDrawing {
     }
   }
 
+  // The operator says that one is lost, by mistake or while it is cut off, and mostly takes it
+  // back: then there is more to do. From a sequence of its own.
+  void draw_loss() {
+    const std::string& uav = mission_.team[losses_.below(mission_.team.size())].name;
+    const double lost = losses_.uniform(15, 150), found = lost + losses_.uniform(10, 150);
+    if (kinds_.radio && losses_.chance(0.5)) {
+      std::vector<std::string> others{"ground"};
+      for (const Member& member : mission_.team)
+        if (member.name != uav) others.push_back(member.name);
+      const std::string times = ", from: " + whole(std::max(5.0, lost - 30)) +
+                                ", until: " + whole(lost + losses_.uniform(5, 200));
+      for (const std::string& other : others)
+        mission_.cuts.push_back("{between: [" + uav + ", " + other + "]" + times + "}");
+    }
+    add_action(mission_, "lost", "{time: " + whole(lost) + "}", 0,
+               "declare_lost: {uav: " + uav + "}");
+    if (losses_.chance(0.15)) return;
+    add_action(mission_, "found", "{time: " + whole(found) + "}", 0,
+               "declare_found: {uav: " + uav + "}");
+    add_action(mission_, "more", "{time: " + whole(found + losses_.uniform(5, 90)) + "}", 0,
+               "global_mission: {id: 2, tasks: [{id: 61, task: [perceive, P1, 10]" +
+                   (losses_.chance(0.5) ? ", by: " + uav : std::string()) + "}]}");
+  }
+
   Random random_;
   Random policies_;
   Random delays_;
   Random lasting_;
   Random bounds_;
   Random abilities_;
+  Random losses_;
   std::map<std::string, int> payloads_;  ///< [kg]
   Kinds kinds_;
   Mission mission_;

@@ -195,13 +195,15 @@ namespace {
 std::vector<Action> read_actions(const Reader& reader, TaskContext& context) {
   std::vector<Action> actions;
   for (const Reader& item : items_of(reader)) {
-    item.keys({"plan", "abort", "message", "update", "mission", "cancel", "play", "degree",
-               "take_in_hand", "give_back", "resume_plan", "drop_plan", "close_air", "open_air",
-               "know_place", "know_ground", "global_mission", "declare_lost", "finish"});
-    at_most_one_of(
-        item, {"plan", "abort", "message", "update", "mission", "cancel", "play", "degree",
-               "take_in_hand", "give_back", "resume_plan", "drop_plan", "close_air", "open_air",
-               "know_place", "know_ground", "global_mission", "declare_lost", "finish"});
+    item.keys({"plan",        "abort",          "message",      "update",        "mission",
+               "cancel",      "play",           "degree",       "take_in_hand",  "give_back",
+               "resume_plan", "drop_plan",      "close_air",    "open_air",      "know_place",
+               "know_ground", "global_mission", "declare_lost", "declare_found", "finish"});
+    at_most_one_of(item,
+                   {"plan",        "abort",          "message",      "update",        "mission",
+                    "cancel",      "play",           "degree",       "take_in_hand",  "give_back",
+                    "resume_plan", "drop_plan",      "close_air",    "open_air",      "know_place",
+                    "know_ground", "global_mission", "declare_lost", "declare_found", "finish"});
     if (auto action = read_action(item, context)) {
       actions.push_back(std::move(*action));
     } else {
@@ -209,7 +211,7 @@ std::vector<Action> read_actions(const Reader& reader, TaskContext& context) {
           "an action of no kind",
           "one of plan, abort, message, update, mission, cancel, play, degree, take_in_hand, "
           "give_back, resume_plan, drop_plan, close_air, open_air, know_place, know_ground, "
-          "global_mission, declare_lost, finish: true");
+          "global_mission, declare_lost, declare_found, finish: true");
     }
   }
   return actions;

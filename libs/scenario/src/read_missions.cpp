@@ -346,7 +346,8 @@ const std::vector<MissionAction>& mission_actions() {
                                                    {"know_place", read_know_place},
                                                    {"know_ground", read_know_ground},
                                                    {"global_mission", read_global_mission},
-                                                   {"declare_lost", read_declare_lost}};
+                                                   {"declare_lost", read_declare_lost},
+                                                   {"declare_found", read_declare_found}};
   return kActions;
 }
 

@@ -30,6 +30,7 @@ mission::GoalId read_goal_id(const config::Reader& reader, const std::string& ua
 /// Reads {id, task, …} of a global mission.
 ground_station::Action read_global_mission(const config::Reader& reader, TaskContext& context);
 ground_station::Action read_declare_lost(const config::Reader& reader, TaskContext& context);
+ground_station::Action read_declare_found(const config::Reader& reader, TaskContext& context);
 ground_station::OnTeamTask read_on_team_task(const config::Reader& reader, TaskContext& context);
 ground_station::OnGlobalMission read_on_global_mission(const config::Reader& reader,
                                                        TaskContext& context);

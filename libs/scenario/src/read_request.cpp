@@ -16,7 +16,7 @@ using ground_station::OperatorDeed;
 constexpr const char* kKinds =
     "one of take_in_hand, give_back, degree, mission, cancel, play, plan, abort, message, update, "
     "resume_plan, drop_plan, close_air, open_air, know_place, know_ground, global_mission, "
-    "declare_lost, finish: true, ask, "
+    "declare_lost, declare_found, finish: true, ask, "
     "keep, let_go, answer, judge_alarm, go";
 
 std::string read_uav(const Reader& reader, const TaskContext& context) {
@@ -88,7 +88,8 @@ void read_item(const Reader& item, TaskContext& context, std::vector<OperatorDee
                  "plan",         "abort",     "message",  "update",         "drop_plan",
                  "resume_plan",  "close_air", "open_air", "finish",         "know_place",
                  "know_ground",  "ask",       "keep",     "let_go",         "answer",
-                 "judge_alarm",  "go",        "play",     "global_mission", "declare_lost"});
+                 "judge_alarm",  "go",        "play",     "global_mission", "declare_lost",
+                 "declare_found"});
   if (!is_map) return;
   if (item.entries().size() != 1) return item.error("an action is one thing", kKinds);
   if (auto deed = read_of_person(item, context)) {

@@ -172,10 +172,21 @@ ground_station::Action read_global_mission(const Reader& reader, TaskContext& co
   return send;
 }
 
-ground_station::Action read_declare_lost(const Reader& reader, TaskContext& context) {
+namespace {
+
+std::string read_declared(const Reader& reader, const TaskContext& context) {
   reader.keys({"uav"});
-  return ground_station::DeclareLost{
-      reader.required("uav").name_among(context.names.uavs, "a UAV")};
+  return reader.required("uav").name_among(context.names.uavs, "a UAV");
+}
+
+}  // namespace
+
+ground_station::Action read_declare_lost(const Reader& reader, TaskContext& context) {
+  return ground_station::DeclareLost{read_declared(reader, context)};
+}
+
+ground_station::Action read_declare_found(const Reader& reader, TaskContext& context) {
+  return ground_station::DeclareFound{read_declared(reader, context)};
 }
 
 ground_station::OnTeamTask read_on_team_task(const Reader& reader, TaskContext& context) {

@@ -272,7 +272,7 @@ SKEIN_WRONG_FILES(
           "30:12: ground.script[1].do[0]: an action of no kind; expected one of "
           "plan, abort, message, update, mission, cancel, play, degree, take_in_hand, "
           "give_back, resume_plan, drop_plan, close_air, open_air, know_place, "
-          "know_ground, global_mission, declare_lost, finish: true\n"},
+          "know_ground, global_mission, declare_lost, declare_found, finish: true\n"},
     Wrong{"ActionOfTwoKinds", "do: [{finish: true}]",
           "do: [{finish: true, message: {uav: heliv, text: go}}]",
           "30:21: ground.script[1].do[0].finish: 'finish' beside 'message'; expected "

@@ -69,6 +69,8 @@ TEST(RequestReader, TakesMissionsOfTheTeamWhereThereIsATeam) {
 TEST(RequestReader, TakesWhoIsLostWithoutATeamToo) {
   EXPECT_TRUE(reader().read("{declare_lost: {uav: heliv}}").has_value());
   EXPECT_THAT(problems_of("{declare_lost: {uav: krama}}"), HasSubstr("did you mean"));
+  EXPECT_TRUE(reader().read("{declare_found: {uav: heliv}}").has_value());
+  EXPECT_THAT(problems_of("{declare_found: {uav: krama}}"), HasSubstr("did you mean"));
 }
 
 TEST(RequestReader, PutsAWayOverTheGroundItIsFlownOver) {

@@ -277,7 +277,8 @@ TEST(Team, WhoReachesMostOfThoseThatAreNotDeclaredLostWaitsForItsWork) {
   Config of_five = config(5);
   of_five.team->roster = team::Roster({"marvin", "heliv", "karma", "ressac", "ground"});
   const auto without_two = book(Stage::kForSale);
-  without_two->lost = {auction::MemberNumber(2), auction::MemberNumber(3)};
+  for (const unsigned lost : {2U, 3U})
+    without_two->losses.declare(auction::MemberNumber(lost), true);
   Aloft marvin(of_five, without_two);
 
   for (const std::string peer : {"heliv", "karma", "ressac"}) marvin.reach(peer, false);

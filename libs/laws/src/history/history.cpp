@@ -128,6 +128,14 @@ bool History::was_away(const std::string& node, double from, double until) const
          });
 }
 
+std::optional<double> History::lost_since(const std::string& uav, double at) const {
+  const auto found = lost.find(uav);
+  if (found == lost.end()) return std::nullopt;
+  for (const auto& [from, until] : found->second)
+    if (from <= at && at < until) return from;
+  return std::nullopt;
+}
+
 bool History::was_killed(const std::string& node) const {
   return dead.contains(node) && !resumed.contains(node);
 }

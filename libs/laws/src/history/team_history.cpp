@@ -11,7 +11,7 @@ namespace skein::laws {
 bool TeamHistory::see(const journal::Record& record) {
   namespace lines = journal::lines;
   return journal::hand_on<lines::TeamTask, lines::Owner, lines::Bid, lines::GlobalMission>(record,
-                                                                                     *this);
+                                                                                           *this);
 }
 
 void TeamHistory::hear(const journal::lines::TeamTask& line, const journal::Written& when) {
@@ -42,8 +42,9 @@ void TeamHistory::hear(const journal::lines::Owner& line, const journal::Written
        line.why});
 }
 
-void TeamHistory::hear(const journal::lines::Bid& line, const journal::Written&) {
-  tasks[static_cast<std::int64_t>(line.task)].bids.insert(static_cast<std::int64_t>(line.sale));
+void TeamHistory::hear(const journal::lines::Bid& line, const journal::Written& when) {
+  tasks[static_cast<std::int64_t>(line.task)].bids[static_cast<std::int64_t>(line.sale)].emplace(
+      line.uav, when.at.to_seconds());
 }
 
 void TeamHistory::hear(const journal::lines::GlobalMission& line, const journal::Written& when) {

@@ -256,7 +256,13 @@ class RunTeller {
   }
 
   void hear(const lines::LostUav& line, const Written& when) {
-    history_.lost.emplace(line.uav, seconds(when));
+    if (!history_.lost_since(line.uav, seconds(when)))
+      history_.lost[line.uav].emplace_back(seconds(when), kNever);
+  }
+
+  void hear(const lines::FoundUav& line, const Written& when) {
+    if (history_.lost_since(line.uav, seconds(when)))
+      history_.lost[line.uav].back().second = seconds(when);
   }
 
   void hear(const lines::Sync& line, const Written& when) {
@@ -311,8 +317,9 @@ class Teller {
   }
 
   bool see(const Record& record) {
-    bool read = journal::hand_on<lines::Mission, lines::Alarm, lines::Object, lines::Seen,
-                                 lines::Fault, lines::LostUav, lines::Sync>(record, run_);
+    bool read =
+        journal::hand_on<lines::Mission, lines::Alarm, lines::Object, lines::Seen, lines::Fault,
+                         lines::LostUav, lines::FoundUav, lines::Sync>(record, run_);
     read = journal::hand_on<lines::Step, lines::Message>(record, world_) && read;
     read = see_of_uav(record) && read;
     read = history_.joint.see(record) && read;

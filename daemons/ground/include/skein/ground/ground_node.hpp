@@ -67,6 +67,9 @@ class GroundNode final : public node::Node {
   bool hear_team(const node::Input& input);
   void carry_out(const ground_station::GiveGlobalMission& effect) { tell_team(effect); }
   void carry_out(const ground_station::DeclareLost& effect);
+  void carry_out(const ground_station::DeclareFound& effect);
+  void tell_if_lost(const std::string& uav);
+  void tell_others(const std::string& uav, const std::string& message);
   void carry_out(const ground_station::TeamTell& effect);
   void carry_out(const ground_station::TeamTaskChanged& effect);
   void carry_out(const ground_station::GlobalMissionChanged& effect);
@@ -91,7 +94,8 @@ class GroundNode final : public node::Node {
   Inbox inbox_;
   ground_station::GroundControl control_;
   std::optional<ground_station::TeamDesk> team_;
-  std::set<std::string> out_of_reach_;  ///< team messages are not sent to them
+  std::set<std::string> out_of_reach_;   ///< team messages are not sent to them
+  std::set<std::string> declared_lost_;  ///< and not found again
   PlayedRoles roles_;
   TemporalDesk dates_;
   std::optional<AirDesk> air_;  ///< absent: no plan merging

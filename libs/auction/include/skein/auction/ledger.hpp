@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "skein/auction/losses.hpp"
 #include "skein/auction/message.hpp"
 #include "skein/foundation/time.hpp"
 
@@ -53,7 +54,7 @@ struct Ledger {
   std::map<TaskNumber, LedgerEntry> entries;
   std::vector<Precedence> precedences;
   std::map<MemberNumber, std::vector<TaskNumber>> routes;
-  std::set<MemberNumber> lost;  ///< declared lost by the operator: no longer counted
+  Losses losses;  ///< who is declared lost by the operator is not counted, and is sold nothing
 };
 
 /// A global mission. The number identifies it, however often and to whichever member it is given.
@@ -92,7 +93,7 @@ struct Status {
   std::vector<DoneClaim> done;
   std::vector<Claim> stopped;  ///< will not begin them, or has given them up
   std::vector<GivenMission> missions;
-  std::set<MemberNumber> lost;
+  Losses losses;
   bool bids = true;                      ///< false: it only votes, and keeps what it has begun
   std::vector<std::string> stopped_why;  ///< the reason of each of `stopped`, for people
 };

@@ -37,7 +37,9 @@ struct Disk {
   std::map<TaskNumber, MissionTime> done_at;  ///< when it ended each of these
   std::map<TaskNumber, std::uint64_t> stopped;
   std::map<TaskNumber, std::string> stopped_why;
-  std::vector<GivenMission> missions;  ///< given to this member, not yet committed
+  /// Given to this member, which says them whenever its ledger lacks them: another holder of the
+  /// token may come with an older one.
+  std::vector<GivenMission> missions;
 };
 
 /// Makes the craft for bids in a sale. None: not yet; the member, which has been without one since
@@ -81,9 +83,13 @@ struct Bids {
 struct DeclaredLost {
   MemberNumber member;
 };
+/// The operator takes that back: it counts again, and is sold to again.
+struct DeclaredFound {
+  MemberNumber member;
+};
 struct Tick {};
-using TeamInput =
-    std::variant<Heard, MissionGiven, TaskDone, TaskPutBack, Bids, DeclaredLost, Tick>;
+using TeamInput = std::variant<Heard, MissionGiven, TaskDone, TaskPutBack, Bids, DeclaredLost,
+                               DeclaredFound, Tick>;
 
 // ---- effects ----
 struct Tell {

@@ -60,6 +60,7 @@ class TeamSimulation {
   void restart(std::size_t member);
   bool alive(std::size_t member) const { return members_[member].alive != nullptr; }
   void declare_lost(std::size_t told, std::size_t lost);
+  void declare_found(std::size_t told, std::size_t found);
   /// What it does fails; it says so.
   void fail_task(std::size_t member);
   void run_until(MissionTime until);

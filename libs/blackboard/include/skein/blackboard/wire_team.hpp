@@ -104,6 +104,13 @@ struct TeamRoute {
 };
 SKEIN_WIRE_FIELDS(TeamRoute, member, tasks)
 
+struct TeamLoss {
+  std::uint32_t member = 0;
+  std::uint32_t turns = 0;  ///< declared lost, found again, …: odd while it is lost
+  bool operator==(const TeamLoss&) const = default;
+};
+SKEIN_WIRE_FIELDS(TeamLoss, member, turns)
+
 struct TeamLedger {
   std::uint64_t term = 0;
   std::uint64_t revision = 0;
@@ -111,10 +118,10 @@ struct TeamLedger {
   std::vector<TeamEntry> entries;
   std::vector<TeamPrecedence> precedences;
   std::vector<TeamRoute> routes;
-  std::vector<std::uint32_t> lost;
+  std::vector<TeamLoss> losses;
   bool operator==(const TeamLedger&) const = default;
 };
-SKEIN_WIRE_FIELDS(TeamLedger, term, revision, missions, entries, precedences, routes, lost)
+SKEIN_WIRE_FIELDS(TeamLedger, term, revision, missions, entries, precedences, routes, losses)
 
 struct TeamClaim {
   std::uint32_t task = 0;
@@ -166,13 +173,13 @@ struct TeamMessage {
   std::vector<TeamEnd> done;
   std::vector<TeamClaim> stopped;
   std::vector<TeamMission> missions;
-  std::vector<std::uint32_t> lost;
+  std::vector<TeamLoss> losses;
   bool trial = false;  ///< kVoteRequest, kVote
   std::uint64_t ledger_term = 0;  ///< kVoteRequest
   bool operator==(const TeamMessage&) const = default;
 };
 SKEIN_WIRE_FIELDS(TeamMessage, header, word, term, revision, ledger, bids, wants, done, stopped,
-    missions, lost, trial, ledger_term)
+    missions, losses, trial, ledger_term)
 
 struct TeamLeg {
   double seconds = 0;

@@ -301,6 +301,10 @@ struct PlayedTaskChanged {
 struct DeclareLost {
   std::string uav;
 };
+/// The operator takes it back: the UAV is sold tasks again, and waited for.
+struct DeclareFound {
+  std::string uav;
+};
 enum class HeldState { kHeld, kResumed, kDropped };
 /// "held", "resumed", "dropped".
 std::string_view to_text(HeldState state);

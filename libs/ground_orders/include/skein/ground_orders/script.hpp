@@ -242,7 +242,7 @@ struct Finish {};
 using Action =
     std::variant<SendPlan, AbortTasks, SendMessage, UpdateConditions, SendMission, CancelMission,
                  SetDegree, TakeInHand, GiveBack, ResumePlan, DropPlan, CloseAir, OpenAir,
-                 TellWorld, SendGlobalMission, DeclareLost, PlayRole, Finish>;
+                 TellWorld, SendGlobalMission, DeclareLost, DeclareFound, PlayRole, Finish>;
 
 struct Step {
   std::string name;   ///< unique in the script

@@ -100,7 +100,7 @@ class GroundControl {
       // to be sent
       SendRequest, SendFunctional, SendSync, AlarmEvent, TellAlarm, ObjectSeen, OperatorAnswered,
       // for the team, and for roles that are played here
-      GiveGlobalMission, DeclareLost, PlayRole, StopRole,
+      GiveGlobalMission, DeclareLost, DeclareFound, PlayRole, StopRole,
       // for the journal
       CommandChanged, LocalRequestAnswered, LocalTaskEvent, LocalSync, PerceptionLogged,
       PhaseEntered, StepDone, OperatorDid, OperatorAsked, HandChanged, DegreeChanged, UavRestarted,

@@ -40,7 +40,7 @@ class MissionPlanning {
                    MissionChanged, TeamTaskChanged, GlobalMissionChanged, PlanInterrupted>;
   using Effect = std::variant<IssueCommand, IssueToAll, AbortEverything, ChangeHands, ResumeHeld,
                               DropHeld, PhaseEntered, OperatorDid, StepDone, MissionFinished,
-                              GiveGlobalMission, DeclareLost, PlayRole, Anomaly>;
+                              GiveGlobalMission, DeclareLost, DeclareFound, PlayRole, Anomaly>;
 
   /// Precondition: problems_of(script) is empty. The terrain must outlive this.
   MissionPlanning(Script script, const world::Terrain& terrain);
@@ -121,6 +121,7 @@ class MissionPlanning {
   void perform(const TellWorld& action, const Deed& deed);
   void perform(const SendGlobalMission& action, const Deed& deed);
   void perform(const DeclareLost& action, const Deed& deed);
+  void perform(const DeclareFound& action, const Deed& deed);
   void perform(const PlayRole& action, const Deed& deed);
   void perform(const Finish& action, const Deed& deed);
   /// Replaces arguments by their resolved targets; returns why that fails, empty if it does not.

@@ -43,8 +43,8 @@ struct PlaceKnown {
 /// Source: spec 6.3; docs/decisions/0018-degree-5.md.
 class TeamDesk {
  public:
-  using Input =
-      std::variant<TeamHeard, GiveGlobalMission, DeclareLost, PlaceKnown, DegreeChanged, Tick>;
+  using Input = std::variant<TeamHeard, GiveGlobalMission, DeclareLost, DeclareFound, PlaceKnown,
+                             DegreeChanged, Tick>;
   using Effect = std::variant<TeamTell, TeamTaskChanged, GlobalMissionChanged, TeamSaleTold,
                               TeamTokenChanged, Anomaly>;
 
@@ -64,6 +64,9 @@ class TeamDesk {
   using Effects = std::vector<Effect>;
   void accept(const GiveGlobalMission& given, MissionTime now, Effects& out);
   void accept(const DeclareLost& lost, MissionTime now, Effects& out);
+  void accept(const DeclareFound& found, MissionTime now, Effects& out);
+  template <class Declared>
+  void declare(const std::string& uav, MissionTime now, Effects& out);
   void accept(const PlaceKnown& known, MissionTime now, Effects& out);
   void accept(const DegreeChanged& changed, MissionTime now, Effects& out);
   std::string why_pinned_does_not_bid(mission::GoalId task) const;

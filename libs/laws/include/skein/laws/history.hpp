@@ -198,7 +198,8 @@ struct History {
   std::vector<Word> unread = {};  ///< malformed lines, of kinds that laws read
   /// Down times of nodes that died, (from, until); until kNever: they did not restart.
   std::map<std::string, std::vector<std::pair<double, double>>> away = {};
-  std::map<std::string, double> lost = {};  ///< declared lost by an operator, when
+  /// When an operator had declared UAVs lost, (from, until); until kNever: it was not taken back.
+  std::map<std::string, std::vector<std::pair<double, double>>> lost = {};
 
   /// The position that an argument names: a place of the scenario, an alarm or a tracked object as
   /// known at `at`, or the point itself; absent: the argument is no place.
@@ -213,6 +214,8 @@ struct History {
   bool is_followed(const mission::Argument& argument) const;
   /// Whether the node was down at some time in [from, until].
   bool was_away(const std::string& node, double from, double until) const;
+  /// Since when the UAV is declared lost at that instant.
+  std::optional<double> lost_since(const std::string& uav, double at) const;
 };
 
 /// Reads a log in the order of time.

@@ -46,7 +46,8 @@ struct TeamStanding {
 struct TeamTask {
   std::vector<TeamWork> works;
   std::vector<TeamStanding> standings;
-  std::set<std::int64_t> bids;  ///< numbers of the sales in which a UAV told its bid, or why none
+  /// By the number of the sale: which UAVs told their bid in it, or why none, and when.
+  std::map<std::int64_t, std::map<std::string, double>> bids;
 };
 
 struct TeamHistory {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The message by which UAVs are told that another one is lost.
+// The messages by which UAVs are told that another one is lost, or found again.
 #pragma once
 
 #include <optional>
@@ -12,5 +12,9 @@ namespace skein::mission {
 std::string lost_message(std::string_view uav);
 /// The UAV that the message declares lost; absent: it is another message.
 std::optional<std::string> uav_lost_in(std::string_view message);
+
+/// "found heliv": it is not lost after all.
+std::string found_message(std::string_view uav);
+std::optional<std::string> uav_found_in(std::string_view message);
 
 }  // namespace skein::mission

@@ -132,6 +132,14 @@ struct LostUav {
   static void fields(auto& it, auto&& each) { each("uav", it.uav); }
 };
 
+/// The operator takes back that it is lost.
+struct FoundUav {
+  static constexpr std::string_view kKind = "found-uav";
+  Text uav = {};
+
+  static void fields(auto& it, auto&& each) { each("uav", it.uav); }
+};
+
 /// The contact-loss policy is carried out: hold or return.
 struct Contact {
   static constexpr std::string_view kKind = "contact";
