@@ -42,41 +42,49 @@ struct DubinsCurve::Word {
   const Pose& from;
   const Pose& to;
   double radius;
+  world::Vector2 left_of_from = left_of(from.heading), left_of_to = left_of(to.heading);
 
   static double side(Piece piece) { return piece == Piece::kLeft ? 1 : -1; }
 
-  std::optional<std::array<double, 3>> lengths(Piece first, Piece last, bool arc_between) const {
-    const world::Vector2 apart = (to.at + side(last) * radius * left_of(to.heading)) -
-                                 (from.at + side(first) * radius * left_of(from.heading));
+  /// None: there is no such curve, or it is at least `least` long.
+  std::optional<std::array<double, 3>> lengths(Piece first, Piece last, bool arc_between,
+                                               double least) const {
+    const world::Vector2 apart = (to.at + side(last) * radius * left_of_to) -
+                                 (from.at + side(first) * radius * left_of_from);
     const double distance = apart.norm();
+    const std::optional<double> straight =
+        first == last ? std::optional(distance) : between_opposite(distance);
+    if (arc_between ? distance > 4 * radius : !straight || *straight >= least) return std::nullopt;
     const bool concentric = distance < 1e-9 * radius;
     const double along = concentric ? from.heading : std::atan2(apart.y(), apart.x());
     const double size = from.at.norm() + to.at.norm() + radius;
     const double noise = kNoTurn + (concentric ? 0 : 1e-15 * size / distance);
     return arc_between ? with_arc(first, distance, along, noise)
-                       : with_line(first, last, distance, along, noise);
+                       : with_line(first, last, *straight, along, noise);
   }
 
  private:
+  /// Length of a line between circles that are turned on opposite ways; none: they overlap.
+  std::optional<double> between_opposite(double distance) const {
+    const double square = distance * distance - 4 * radius * radius;
+    return square < 0 ? std::nullopt : std::optional(std::sqrt(square));
+  }
+
   std::array<double, 3> outer_turns(Piece first, Piece last, double a, double b, double middle,
                                     double noise) const {
     return {radius * turned(side(first) * (a - from.heading), noise), middle,
             radius * turned(side(last) * (to.heading - b), noise)};
   }
 
-  std::optional<std::array<double, 3>> with_line(Piece first, Piece last, double distance,
-                                                 double along, double noise) const {
-    if (first == last) return outer_turns(first, last, along, along, distance, noise);
-    const double square = distance * distance - 4 * radius * radius;
-    if (square < 0) return std::nullopt;
-    const double straight = std::sqrt(square);
+  std::array<double, 3> with_line(Piece first, Piece last, double straight, double along,
+                                  double noise) const {
+    if (first == last) return outer_turns(first, last, along, along, straight, noise);
     const double a = along + side(first) * std::atan2(2 * radius, straight);
     return outer_turns(first, last, a, a, straight, noise);
   }
 
-  std::optional<std::array<double, 3>> with_arc(Piece outer, double distance, double along,
-                                                double noise) const {
-    if (distance > 4 * radius) return std::nullopt;
+  /// Precondition: the circles are no further apart than a third one between them reaches.
+  std::array<double, 3> with_arc(Piece outer, double distance, double along, double noise) const {
     // Of the two circles that touch both, the one that is turned on by more than half: the other
     // is never part of a shortest curve.
     const double middle = kFullTurn - 2 * std::asin(distance / (4 * radius));
@@ -95,7 +103,7 @@ DubinsCurve DubinsCurve::shortest(const Pose& from, const Pose& to, double radiu
   double least = std::numeric_limits<double>::infinity();
   const Word word{from, to, radius};
   const auto consider = [&](Piece first, Piece middle, Piece last) {
-    const auto lengths = word.lengths(first, last, middle != Piece::kStraight);
+    const auto lengths = word.lengths(first, last, middle != Piece::kStraight, least);
     if (!lengths) return;
     const double length = (*lengths)[0] + (*lengths)[1] + (*lengths)[2];
     if (length >= least) return;
