@@ -28,6 +28,8 @@ TEST(ReadJournal, EveryKindOfTheSchemaIsRead) {
 {"at":1,"node":"g","kind":"alarm","alarm":7,"state":"infirmed","position":[1,2,3],"belief":0.25}
 {"at":1,"node":"g","kind":"phase","name":"Detection"}
 {"at":1,"node":"g","kind":"operator","does":"stop"}
+{"at":1,"node":"g","kind":"lost-uav","uav":"m"}
+{"at":1,"node":"g","kind":"found-uav","uav":"m"}
 {"at":1,"node":"g","kind":"degree","uav":"m","degree":4}
 {"at":1,"node":"r","kind":"fault","what":"kill","target":"m"}
 {"at":1,"node":"r","kind":"process","name":"ddn-m","state":"crashed","why":"signal 9"}
@@ -58,6 +60,8 @@ TEST(ReadJournal, EveryKindOfTheSchemaIsRead) {
   EXPECT_EQ(read->alarms.at(0).state, AlarmState::kInfirmed);
   EXPECT_EQ(read->phases.at(0).name, "Detection");
   EXPECT_EQ(read->operators.at(0).does, "stop");
+  EXPECT_EQ(read->operators.at(1).does, "m is lost");
+  EXPECT_EQ(read->operators.at(2).does, "m is found");
   EXPECT_EQ(read->degrees.at(0).degree, 4);
   EXPECT_EQ(read->faults.at(0).target, "m");
   EXPECT_EQ(read->processes.at(0).state, "crashed");
@@ -67,7 +71,7 @@ TEST(ReadJournal, EveryKindOfTheSchemaIsRead) {
   EXPECT_EQ(read->missions.at(0).state, "finished");
   EXPECT_TRUE(read->expectations.at(0).passed);
   EXPECT_EQ(read->tasks.at(0).stamp.line, 1U);
-  EXPECT_EQ(read->expectations.at(0).stamp.line, 21U);
+  EXPECT_EQ(read->expectations.at(0).stamp.line, 23U);
 }
 
 TEST(ReadJournal, OptionalKeysMayBeAbsentOrNull) {

@@ -104,6 +104,8 @@ AlarmRecord to_record(lines::Alarm&& l, FieldReader& f) {
 }
 PhaseRecord to_record(lines::Phase&& l, FieldReader&) { return {{}, std::move(l.name)}; }
 OperatorRecord to_record(lines::Operator&& l, FieldReader&) { return {{}, std::move(l.does)}; }
+OperatorRecord to_record(lines::LostUav&& l, FieldReader&) { return {{}, l.uav + " is lost"}; }
+OperatorRecord to_record(lines::FoundUav&& l, FieldReader&) { return {{}, l.uav + " is found"}; }
 DegreeRecord to_record(lines::Degree&& l, FieldReader&) { return {{}, std::move(l.uav), l.degree}; }
 FaultRecord to_record(lines::Fault&& l, FieldReader&) {
   return {{}, std::move(l.what), std::move(l.target)};
@@ -207,6 +209,8 @@ constexpr std::array kKinds{
     kind<lines::Alarm, &Journal::alarms>(),
     kind<lines::Phase, &Journal::phases>(),
     kind<lines::Operator, &Journal::operators>(),
+    kind<lines::LostUav, &Journal::operators>(),
+    kind<lines::FoundUav, &Journal::operators>(),
     kind<lines::Degree, &Journal::degrees>(),
     kind<lines::Fault, &Journal::faults>(),
     kind<lines::Process, &Journal::processes>(),
