@@ -5,6 +5,7 @@
 #include <set>
 
 #include "checks.hpp"
+#include "skein/mission/duration_range.hpp"
 #include "skein/world/vehicle_model.hpp"
 #include "statement.hpp"
 
@@ -44,9 +45,11 @@ std::vector<world::Vector3> places_heard(const History& history, const Uav& uav,
   return places;
 }
 
-/// A relay that died may have passed words on, or not.
+/// Where it may take an object to be then, or a place that it was told of. A relay that died may
+/// have passed words on, or not.
 std::vector<world::Vector3> places_heard(const History& history, const Uav& uav,
                                          const mission::Argument& object, double at) {
+  if (history.was_told_of(uav, object)) return history.places(uav, object, at - kHeard, at);
   const auto& named = history.scenario->radio.relays;
   const std::set<std::string> all(named.begin(), named.end());
   std::set<std::string> living = all;
@@ -138,17 +141,18 @@ double apart_from(const History& history, const mission::HighLevelTask& meeting)
 }
 
 // The look that a perception of this name comes down to; nothing for other tasks.
-std::optional<WantedLook> look_of(const History& history, const mission::HighLevelTask& task,
-                                  double at) {
+std::optional<WantedLook> look_of(const History& history, const Uav& uav,
+                                  const mission::HighLevelTask& task, double at) {
   const auto look = [&](std::size_t place, std::size_t seconds) -> std::optional<WantedLook> {
     if (task.arguments.size() <= std::max(place, seconds)) return std::nullopt;
-    const auto where = history.place(task.arguments[place], at);
+    const mission::Argument& named = task.arguments[place];
+    const auto where = history.places(uav, named, at, at);
     const auto long_for = number_of(task.arguments[seconds]);
-    if (!where || !long_for) return std::nullopt;
-    const bool followed = history.is_followed(task.arguments[place]);
-    const bool moves = followed || history.is_alarm(task.arguments[place]);
-    return WantedLook{*where, *long_for, 0, moves ? kAlarmMoves : 0,
-                      followed ? &task.arguments[place] : nullptr};
+    if (where.empty() || !long_for) return std::nullopt;
+    const bool followed = history.is_followed(named);
+    const bool moves = followed || history.is_alarm(named);
+    return WantedLook{where.back(), *long_for, 0, moves ? kAlarmMoves : 0,
+                      followed || history.was_told_of(uav, named) ? &named : nullptr};
   };
   if (task.name == "perceive" || task.name == "general-combined-goto-and-takeshot" ||
       task.name == "perform-monitoring") {
@@ -195,7 +199,7 @@ std::vector<Violation> perceptions_not_done(const History& history) {
   constexpr double kSlack = 3;  // [s]
   std::vector<Violation> result;
   for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
-    const auto wanted = look_of(history, goal.task, at);
+    const auto wanted = look_of(history, uav, goal.task, at);
     if (!wanted) return;
     const double seconds = seconds_looked(history, uav, goal, *wanted);
     if (seconds >= kPart * wanted->seconds - kSlack) return;
@@ -209,12 +213,13 @@ std::vector<Violation> perceptions_not_done(const History& history) {
 
 namespace {
 
-// How long it was asked to look, of what counts seconds; nothing of other tasks.
+// How long it was asked to look at the most, of what counts seconds; nothing of other tasks.
 std::optional<double> seconds_asked(const mission::HighLevelTask& task) {
   const std::size_t at = task.name == "perform-detection" ? 2 : 1;
   const bool counts = task.name == "perceive" || task.name == "perform-detection" ||
                       task.name == "general-combined-goto-and-takeshot";
   if (!counts || task.arguments.size() <= at) return std::nullopt;
+  if (const auto range = mission::duration_range_of(task.arguments[at])) return range->most;
   return number_of(task.arguments[at]);
 }
 
@@ -270,15 +275,12 @@ double least_distance(const History& history, const Uav& uav, const world::Vecto
 
 double begin_of(const Goal& goal) { return goal.received(); }
 
-std::vector<world::Vector3> places_of(const History& history, const mission::HighLevelTask& task) {
-  std::vector<world::Vector3> places;
-  const auto add = [&](const mission::Argument& argument) {
-    if (const auto place = history.place(argument)) places.push_back(*place);
-  };
+std::vector<mission::Argument> places_of(const mission::HighLevelTask& task) {
+  std::vector<mission::Argument> places;
   if (task.arguments.empty()) return places;
-  if (task.name == "general-gotoxyz") add(task.arguments[0]);
+  if (task.name == "general-gotoxyz") places.push_back(task.arguments[0]);
   if (task.name == "perform-tour") {
-    for (const std::string& name : names_of(task.arguments[0])) add(name);
+    for (const std::string& name : names_of(task.arguments[0])) places.emplace_back(name);
   }
   return places;
 }
@@ -321,11 +323,18 @@ std::vector<Violation> places_not_reached(const History& history) {
     };
     if (const auto why = not_as_said(history, uav, goal, at)) breach(*why);
     const bool tour = goal.task.name == "perform-tour" || !uav.deliberates(begin_of(goal), at);
-    for (const world::Vector3& place : places_of(history, goal.task)) {
-      const double from = tour ? begin_of(goal) : std::max(begin_of(goal), at - kMoment);
-      const double least =
-          least_distance(history, uav, place, from, std::min(at + kMoment, history.end));
-      if (least <= 1.8 * wander(history, uav)) continue;
+    const double from = tour ? begin_of(goal) : std::max(begin_of(goal), at - kMoment);
+    for (const mission::Argument& named : places_of(goal.task)) {
+      const auto places = history.places(uav, named, tour ? from : at - kHeard, at);
+      const auto nearest = [&](const world::Vector3& place) {
+        return least_distance(history, uav, place, from, std::min(at + kMoment, history.end));
+      };
+      const bool reached = std::ranges::any_of(places, [&](const world::Vector3& place) {
+        return nearest(place) <= 1.8 * wander(history, uav);
+      });
+      if (reached || places.empty()) continue;
+      const world::Vector3& place = places.front();
+      const double least = nearest(place);
       breach(least == kNever
                  ? "it never flew there"
                  : "it came no nearer than " + figure(least) + " m to (" + figure(place.x()) + " " +

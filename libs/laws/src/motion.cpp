@@ -51,6 +51,17 @@ double begun(const Uav& uav, const Execution& motion) {
   return real == uav.activities.end() ? kNever : std::max(started, real->from);
 }
 
+// That the vehicle has ended a motion its executive learns later if it was the ground's meanwhile.
+bool is_over_on_the_vehicle(const Uav& uav, const Execution& motion, double at) {
+  const bool was_at_ground =
+      uav.degree(motion.started) == 1 || std::ranges::any_of(uav.degrees, [&](const auto& change) {
+        return change.second == 1 && motion.started < change.first && change.first <= at;
+      });
+  return was_at_ground && std::ranges::none_of(uav.activities, [&](const Activity& one) {
+           return one.task == motion.task && one.until > at;
+         });
+}
+
 // In the executive on board: the ground's, at degree 1, may not know yet what a UAV out of contact
 // does by itself, and the vehicle refuses a second motion anyway.
 void overlapping(const Uav& uav, std::vector<Violation>& result) {
@@ -65,7 +76,8 @@ void overlapping(const Uav& uav, std::vector<Violation>& result) {
     if (from != kNever) motions.emplace(from, &execution);
   }
   for (const auto& [from, one] : motions) {
-    if (last != nullptr && on_board(one) && on_board(last) && from + kMoment < last->over) {
+    if (last != nullptr && on_board(one) && on_board(last) && from + kMoment < last->over &&
+        !is_over_on_the_vehicle(uav, *last, from)) {
       result.push_back({"", from, uav.name(), uav.goal_of_task(one->task),
                         named(uav, one->task, one->type) + " begins while " +
                             named(uav, last->task, last->type) + " is under way"});
@@ -106,15 +118,31 @@ double heard_for(const History& history, const std::string& name, double since, 
   return most;
 }
 
+// For how much of that time it decided for itself where to be [s]: below degree 4 it stays where
+// its operator has put it.
+double at_will_for(const Uav& uav, double since, double until) {
+  double seconds = 0, from = since;
+  for (const auto& [change, degree] : uav.degrees) {
+    if (change <= since || change >= until) continue;
+    if (uav.degree(from) >= 4) seconds += change - from;
+    from = change;
+  }
+  return uav.degree(from) >= 4 ? seconds + until - from : seconds;
+}
+
 // For how much of that time it reached the ground station, and nobody for whom it waited was out of
-// reach of all [s]: that one may still be there, for all that anybody knows.
+// reach of all (that one may still be there, for all that anybody knows) or an operator's [s].
 double might_begin_for(const History& history, const std::string& name, double since,
                        double until) {
   double seconds = history.joint.up_for(name, "ground", since, until);
   for (const AirWait& wait : history.air.waits) {
     if (wait.uav != name || wait.at < since || wait.at > until) continue;
-    for (const std::string& other : wait.for_others)
+    for (const std::string& other : wait.for_others) {
       seconds = std::min(seconds, heard_for(history, other, since, until));
+      const auto known = history.uavs.find(other);
+      if (known != history.uavs.end())
+        seconds = std::min(seconds, at_will_for(known->second, since, until));
+    }
   }
   return seconds;
 }

@@ -57,6 +57,14 @@ bool names_a_goal_twice(const Uav& uav, const std::string& why) {
   });
 }
 
+// Of air that the scenario closes later it knows from the start: it plans for then.
+bool knows_closed_air(const History& history, const Uav& uav, double at) {
+  const auto& volumes = history.scenario->world.volumes;
+  return std::ranges::any_of(volumes,
+                             [&](const auto& one) { return one.when.until.to_seconds() > at; }) ||
+         std::ranges::any_of(uav.closings, [&](const Closing& one) { return one.known <= at + 1; });
+}
+
 // Why a reason cannot be true; nothing when truth does not contradict it.
 std::optional<std::string> contradiction(const History& history, const Uav& uav,
                                          const std::string& why, double at) {
@@ -67,9 +75,7 @@ std::optional<std::string> contradiction(const History& history, const Uav& uav,
   if (says(why, "half a cell")) return "nobody can set that cell";
   if (auto untrue = untimely(history, uav, why, at)) return untrue;
   if (auto untrue = untrue_silence(history, uav, why, at)) return untrue;
-  const bool any_closed = std::any_of(uav.closings.begin(), uav.closings.end(),
-                                      [&](const Closing& one) { return one.known <= at + 1; });
-  if (says(why, "closed air") && !any_closed) return "no air is closed";
+  if (says(why, "closed air") && !knows_closed_air(history, uav, at)) return "no air is closed";
   if (says(why, "has failed") && says(why, "device") &&
       !whose_device(history, uav, why).had_fault("sensor", at))
     return "no device failed";

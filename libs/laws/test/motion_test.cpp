@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/journal/lines/execution.hpp"
+#include "skein/journal/lines/truth.hpp"
 #include "testing/story.hpp"
 
 namespace skein::laws::testing {
@@ -54,6 +56,35 @@ TEST(OneMotion, WhatTheGroundStartedOutOfReachIsUnderWayOnceItIsStartedOnBoard) 
       .does("heliv", {203, "goto", 803, 199, 245, "ended", "", {}, "", 202});
 
   EXPECT_THAT(story.broken("one-motion"), IsEmpty());
+}
+
+// Found by missions of an outsider: taken in hand, and given back with an interruption, at 0.39 s.
+TEST(OneMotion, WhatTheVehicleEndedBeforeTheGroundHandedItUpIsOver) {
+  namespace lines = journal::lines;
+  const auto broken = [](int in_hand, double vehicle_ends) {
+    Story story;
+    const auto task = [&](double at, const char* state) {
+      story.line(journal::record_of(
+          MissionTime::seconds(at), "marvin",
+          lines::Task{.uav = "marvin", .task = 7, .type = "goto", .state = state}));
+    };
+    const auto truth = [&](double at, const char* state) {
+      story.line(journal::record_of(
+          MissionTime::seconds(at), "sim",
+          lines::Functional{.uav = "marvin", .task = 7, .type = "goto", .state = state}));
+    };
+    task(11, "started");
+    truth(11, "running");
+    story.degree("marvin", 0, 2).degree("marvin", 100, in_hand).degree("marvin", 117, 3);
+    truth(vehicle_ends, "aborted");
+    story.does("marvin", {900, "wait", 0, 117, 118.1, "aborted"});
+    task(118.2, "aborted");
+    return story.broken("one-motion");
+  };
+
+  EXPECT_THAT(broken(1, 117), IsEmpty());
+  EXPECT_THAT(broken(1, 118), SizeIs(1)) << "the vehicle had not";
+  EXPECT_THAT(broken(2, 117), SizeIs(1)) << "it was on board all the time";
 }
 
 TEST(OneMotion, WhatTheGroundStartedOutOfReachOverlapsAsAnyOnBoard) {

@@ -30,6 +30,15 @@ TEST(Reasons, AReasonIsThereAndTrue) {
   EXPECT_THAT(fails("needs 140 % of the energy, and 90 % is left above the reserve"), IsEmpty());
 }
 
+TEST(Reasons, AirThatTheScenarioClosesLaterIsPlannedFor) {
+  Story story(
+      "  volumes: {tower: {polygon: [[100, 0], [200, 0], [200, 100]], from: 300, until: 900}}\n");
+  story.goal("marvin", 701, "perceive P1 60", "received", 1)
+      .goal("marvin", 701, "perceive P1 60", "failed", 2, "closed air is too near for its turns");
+
+  EXPECT_THAT(story.broken("reasons"), IsEmpty());
+}
+
 TEST(Reasons, ATimeIsOfSomethingAskedOfItOrOfWhoNeedsIt) {
   const auto fails = [](const std::string& heliv) {
     Story story;

@@ -119,6 +119,19 @@ TEST(BeginsLaw, OneThatIsOutOfReachOfTheGroundDoesNotUntilItIsBack) {
   EXPECT_THAT(broken(500), ElementsAre(HasSubstr("does not begin for 1890.0 s")));
 }
 
+// Below degree 4 a UAV stays where its operator has put it.
+TEST(BeginsLaw, OneThatWaitsForSomebodyWhoIsInAnOperatorsHandDoesNot) {
+  const auto broken = [](double given_back) {
+    Story story = asked();
+    story.does("marvin", {7, "goto", 0, 10, 2000, "ended", "", {}, "", 1900});
+    story.air("marvin", 11, "waits", "heliv to leave");
+    story.degree("heliv", 0, 3).degree("heliv", given_back, 4);
+    return story.broken("begins");
+  };
+  EXPECT_THAT(broken(1500), IsEmpty());
+  EXPECT_THAT(broken(500), ElementsAre(HasSubstr("does not begin for 1890.0 s")));
+}
+
 // Where it was when somebody heard it last it may still be.
 TEST(BeginsLaw, OneThatWaitsForSomebodyWhomNobodyHearsDoesNot) {
   const auto broken = [](double back) {

@@ -96,6 +96,25 @@ std::optional<world::Vector3> History::place(const mission::Argument& argument, 
   return found->second;
 }
 
+std::vector<world::Vector3> History::places(const Uav& uav, const mission::Argument& argument,
+                                            double from, double until) const {
+  std::optional<world::Vector3> before = place(argument, was_told_of(uav, argument) ? from : until);
+  std::vector<world::Vector3> meanwhile;
+  for (const PlaceKnown& told : uav.places_known) {
+    if (mission::Argument(told.name) != argument || told.at > until) continue;
+    if (told.at <= from) before = told.position;
+    if (told.at > from) meanwhile.push_back(told.position);
+  }
+  if (before) meanwhile.push_back(*before);
+  return meanwhile;
+}
+
+bool History::was_told_of(const Uav& uav, const mission::Argument& argument) const {
+  return std::ranges::any_of(uav.places_known, [&](const PlaceKnown& told) {
+    return mission::Argument(told.name) == argument;
+  });
+}
+
 bool History::is_alarm(const mission::Argument& argument) const {
   const auto* name = std::get_if<std::string>(&argument);
   return name != nullptr && alarms.count(*name) != 0;

@@ -147,7 +147,7 @@ class WorldTeller {
     const auto found = actions_.find(line.name);
     if (found == actions_.end()) return;
     for (const ground_station::Action& action : *found->second) {
-      if (const auto* close = std::get_if<ground_station::CloseAir>(&action)) tell(*close);
+      if (const auto* close = std::get_if<ground_station::CloseAir>(&action)) tell(*close, when);
       if (const auto* world = std::get_if<ground_station::TellWorld>(&action)) tell(*world, when);
       if (const auto* open = std::get_if<ground_station::OpenAir>(&action)) tell(*open, when);
     }
@@ -156,33 +156,51 @@ class WorldTeller {
   void hear(const lines::Message& line, const Written& when) {
     if (line.slot != "WorldChange" || line.direction != "received") return;
     const auto found = history_.uavs.find(line.to);
-    std::deque<std::optional<std::size_t>>& told = told_[line.to];
+    std::deque<Told>& told = told_[line.to];
+    while (!told.empty() && told.front().expires < seconds(when)) told.pop_front();
     if (found == history_.uavs.end() || told.empty()) return;
-    const std::optional<std::size_t> closing = told.front();
+    Told heard = std::move(told.front());
     told.pop_front();
-    if (!closing) return;
-    Closing& one = found->second.closings[*closing];
+    if (heard.place) {
+      heard.place->at = seconds(when);
+      found->second.places_known.push_back(*heard.place);
+    }
+    if (!heard.closing) return;
+    Closing& one = found->second.closings[*heard.closing];
     one.known = std::max(seconds(when), one.volume.when.from.to_seconds());
   }
 
  private:
-  void tell(const ground_station::CloseAir& close) {
+  /// A change of the world on its way to a UAV: a closing, a place or something else.
+  struct Told {
+    double expires = kNever;             ///< nobody hears of it later
+    std::optional<std::size_t> closing;  ///< index in the UAV's
+    std::optional<PlaceKnown> place;
+  };
+
+  void tell(const ground_station::CloseAir& close, const Written& when) {
     each_of(close.uavs, [&](Uav& uav) {
-      told_[uav.name()].push_back(uav.closings.size());
+      told_[uav.name()].push_back({expiry(when), uav.closings.size(), {}});
       uav.closings.push_back({close.volume, kNever, kNever});
     });
   }
   void tell(const ground_station::TellWorld& world, const Written& when) {
-    each_of(world.uavs, [&](Uav& uav) { told_[uav.name()].push_back(std::nullopt); });
-    if (const auto& place = world.change.place)
-      history_.joint.points.push_back({seconds(when), place->name, place->at});
+    const auto& place = world.change.place;
+    Told told{expiry(when), {}, {}};
+    if (place) told.place = PlaceKnown{seconds(when), place->name, place->at};
+    each_of(world.uavs, [&](Uav& uav) { told_[uav.name()].push_back(told); });
+    if (place) history_.joint.points.push_back({seconds(when), place->name, place->at});
   }
   void tell(const ground_station::OpenAir& open, const Written& when) {
     each_of(open.uavs, [&](Uav& uav) {
-      told_[uav.name()].push_back(std::nullopt);
+      told_[uav.name()].push_back({expiry(when), {}, {}});
       for (Closing& one : uav.closings)
         if (one.volume.name == open.name) one.opened = std::min(one.opened, seconds(when));
     });
+  }
+
+  double expiry(const Written& when) const {
+    return seconds(when) + history_.scenario->ground.script.command_lifetime.to_seconds();
   }
 
   template <class Do>
@@ -195,8 +213,7 @@ class WorldTeller {
   }
 
   History& history_;
-  /// Changes of the world on their way to each UAV, in order: a closing, or something else.
-  std::map<std::string, std::deque<std::optional<std::size_t>>> told_;
+  std::map<std::string, std::deque<Told>> told_;  ///< on their way to each UAV, in order
   std::map<std::string, const std::vector<ground_station::Action>*> actions_;
 };
 

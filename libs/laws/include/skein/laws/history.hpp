@@ -147,6 +147,13 @@ struct ObjectTold {
   double spread = 0;  ///< [m]
 };
 
+/// A place that the ground station told a UAV of, as it lies from then on.
+struct PlaceKnown {
+  double at = 0;  ///< when the UAV heard of it [s]
+  std::string name;
+  world::Vector3 position = world::Vector3::Zero();
+};
+
 struct Uav {
   const scenario::UavSpec* spec = nullptr;
   std::vector<Sample> samples;  ///< once a second
@@ -158,6 +165,7 @@ struct Uav {
   std::map<std::int64_t, std::pair<std::uint64_t, double>> promised;
   std::vector<std::pair<double, int>> degrees;  ///< (from when on, degree)
   std::vector<Closing> closings;
+  std::vector<PlaceKnown> places_known;
   std::vector<Word> words;
   std::vector<std::pair<double, std::string>> faults;
   std::vector<SyncHeard> syncs_heard;
@@ -204,6 +212,12 @@ struct History {
   /// The position that an argument names: a place of the scenario, an alarm or a tracked object as
   /// known at `at`, or the point itself; absent: the argument is no place.
   std::optional<world::Vector3> place(const mission::Argument& argument, double at = kNever) const;
+  /// Where the place that an argument names lay in [from, until], as far as the UAV had been told;
+  /// several if it was told meanwhile that it lies elsewhere; none: the argument is no place.
+  std::vector<world::Vector3> places(const Uav& uav, const mission::Argument& argument, double from,
+                                     double until) const;
+  /// Whether the UAV was told of the place that the argument names.
+  bool was_told_of(const Uav& uav, const mission::Argument& argument) const;
   /// Whether the place is in the air and flown to (else it is on the ground and looked at).
   bool in_the_air(const world::Vector3& place) const;
   const world::Zone* zone(const mission::Argument& argument) const;
