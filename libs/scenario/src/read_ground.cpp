@@ -301,6 +301,15 @@ std::vector<ground_station::ObjectSpec> read_objects(const Reader& reader, const
   return objects;
 }
 
+// The greatest for each UAV; ids from those of plans that are given again on leave no room beyond.
+std::map<std::string, executive::TaskId> last_ids(const TaskContext& context) {
+  constexpr executive::TaskId kFirstGivenAgain{300'000'000};
+  std::map<std::string, executive::TaskId> last;
+  for (const auto& [uav, id] : context.planned)  // in the order of ids
+    if (id < kFirstGivenAgain) last.insert_or_assign(uav, id);
+  return last;
+}
+
 void read_script(const Reader& ground, const Scenario& scenario, GroundSpec& spec) {
   ground_station::Script& script = spec.script;
   // A terrain that cannot be made was already reported; tasks are then read over level ground.
@@ -320,6 +329,7 @@ void read_script(const Reader& ground, const Scenario& scenario, GroundSpec& spe
     script.operators.push_back(read_operator(action, context));
   }
   check_references(context);
+  spec.last_ids = last_ids(context);
   spec.asked = std::move(context.goals);
   spec.played = std::move(context.played);
   script.command_lifetime =

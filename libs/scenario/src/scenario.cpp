@@ -41,6 +41,14 @@ void read_ground(const Reader& reader, Scenario& scenario) {
   read_script(reader, scenario, scenario.ground);
 }
 
+/// What a UAV plans on board gets numbers beyond those of the script, unless the scenario says
+/// which.
+void number_planned_tasks(const std::map<std::string, executive::TaskId>& last_of_script,
+                          std::map<std::string, executive::TaskId>& first_planned) {
+  for (const auto& [uav, last] : last_of_script)
+    first_planned.emplace(uav, executive::TaskId(last.value() + 1));
+}
+
 /// What the looks of each device are worth; a device of which nobody says it is an error, since its
 /// perceptions would come to nothing in silence.
 void weigh_devices(const Reader& uavs, Scenario& scenario) {
@@ -124,6 +132,8 @@ void read_all(const Reader& reader, const std::string& folder, Diagnostics& diag
   scenario.separation = read_separation(reader.optional("separation"));
   check_degrees(reader.required("uavs"), scenario);
   read_ground(reader.required("ground"), scenario);
+  if (scenario.planning)
+    number_planned_tasks(scenario.ground.last_ids, scenario.planning->first_ids);
   weigh_devices(reader.required("uavs"), scenario);
   read_faults(reader.optional("faults"), names, scenario.faults);
   read_variations(reader.optional("variations"), scenario.variations);

@@ -92,6 +92,23 @@ TEST(Planning, IsKeptWithTheTextOfItsDomain) {
   EXPECT_EQ(scenario.find_uav("karma")->degree, 4);
 }
 
+// Found by missions of an outsider: task 2 of the script was taken for task 2 of the plan, which
+// was over, and what waited for it to run was given up.
+TEST(Planning, TasksOfAPlanAreNumberedBeyondThoseOfTheScript) {
+  const auto first_of_karma = [](const std::string& planning, const std::string& tasks) {
+    std::string text = planning_scenario_with("first_ids: {karma: 100}", planning);
+    const std::string nothing = "do: [{finish: true}]";
+    text.replace(text.find(nothing), nothing.size(),
+                 "do: [{plan: {uav: karma, tasks: [" + tasks + "]}}]");
+    const auto first_ids = read_valid(text).planning->first_ids;
+    return first_ids.contains("karma") ? first_ids.at("karma").value() : 1;
+  };
+
+  EXPECT_EQ(first_of_karma("altitude: 40", "{id: 7, type: land}, {id: 3, type: land}"), 8U);
+  EXPECT_EQ(first_of_karma("first_ids: {karma: 5}", "{id: 7, type: land}"), 5U) << "as it says";
+  EXPECT_EQ(first_of_karma("altitude: 40", "{id: 300000007, type: land}"), 1U) << "far beyond";
+}
+
 TEST(Planning, WhatIsLeftOutHasADefault) {
   const PlanningSpec planning = *read_valid(planning_scenario_with()).planning;
 

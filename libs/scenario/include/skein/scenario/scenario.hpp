@@ -107,6 +107,8 @@ struct GroundSpec {
   ground_station::Script script;
   TaskMarks asked;   ///< of missions for UAVs
   TaskMarks played;  ///< of joint tasks in which the ground station plays for UAVs
+  /// By UAV: the greatest id of a task that the script gives it.
+  std::map<std::string, executive::TaskId> last_ids = {};
 };
 
 /// The daemon of a node is killed and, with `restart_after`, started again.
@@ -182,7 +184,8 @@ struct PlanningSpec {
   /// In virtual time: how long a job of planning takes, drawn for each from the seed. Over DDS it
   /// takes as long as the machine needs. takes_least <= takes_most.
   Duration takes_least = Duration::milliseconds(50), takes_most = Duration::milliseconds(50);
-  /// First number of the elementary tasks that a UAV plans; 1 for UAVs that are not listed.
+  /// First number of the elementary tasks that a UAV plans: as the scenario says, or else beyond
+  /// the tasks that its script gives the UAV; 1 for UAVs that are not listed.
   std::map<std::string, executive::TaskId> first_ids;
 };
 
