@@ -120,7 +120,7 @@ void GroundNode::carry_out(const gs::SendRequest& effect) {
 }
 
 void GroundNode::carry_out(const gs::SendFunctional& effect) {
-  send(effect.uav, to_wire(effect.uav, effect.request));
+  send(effect.uav, to_wire(effect.uav, effect.request), effect.expires);
 }
 
 void GroundNode::carry_out(const gs::SendSync& effect) {

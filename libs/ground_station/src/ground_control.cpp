@@ -193,8 +193,8 @@ void GroundControl::ask_again(const std::string& uav, Effects& out) {
   for (const executive::TaskStatus& task : local(uav).executive.tasks()) {
     if (!executive::is_active(task.state) || !is_functional(task.type)) continue;
     const bool is_aborting = task.state == executive::TaskState::kAborting;
-    send_functional(uav, is_aborting ? functional::Verb::kInterrupt : functional::Verb::kDispatch,
-                    task.id, out);
+    out.emplace_back(functional_of(
+        uav, is_aborting ? functional::Verb::kInterrupt : functional::Verb::kDispatch, task.id));
   }
 }
 
@@ -343,9 +343,10 @@ void GroundControl::route_local(const LocalInput& cause, const executive::Effect
             errands_.emplace_back(Monitoring::Input(
                 TaskEventReceived{uav, it.id, it.type, it.state, it.reason, true}));
           },
-          [&](const executive::Dispatch& it) { dispatch(uav, it, out); },
+          [&](const executive::Dispatch& it) { dispatch(uav, it, now, out); },
           [&](const executive::Interrupt& it) {
-            if (!it.joint) send_functional(uav, functional::Verb::kInterrupt, it.id, out);
+            if (!it.joint)
+              out.emplace_back(functional_of(uav, functional::Verb::kInterrupt, it.id));
           },
           [&](const executive::SendSync& it) {
             out.emplace_back(LocalSync{it.id, uav, it.to, SyncDirection::kSent, it.word});
@@ -410,26 +411,29 @@ bool GroundControl::stops_playing(const SendRequest& request, Effects& out) {
   return true;
 }
 
-// A joint task needs a supervisor, which degree 1 does not have.
+// A joint task needs a supervisor, which degree 1 does not have. What the executive has given up
+// without an answer the UAV must not begin when it is heard again; an interruption is never late.
 void GroundControl::dispatch(const std::string& uav, const executive::Dispatch& dispatch,
-                             Effects& out) {
+                             MissionTime now, Effects& out) {
   if (dispatch.joint) {
     const executive::FunctionalStatus refusal{dispatch.id, executive::TaskState::kAborted,
                                               "no joint tasks at degree 1"};
     errands_.emplace_back(LocalInput{uav, refusal, std::nullopt});
     return;
   }
-  send_functional(uav, functional::Verb::kDispatch, dispatch.id, out);
+  SendFunctional send = functional_of(uav, functional::Verb::kDispatch, dispatch.id);
+  if (const auto timeout = mle_configs_.at(uav).functional_timeout) send.expires = now + *timeout;
+  out.emplace_back(std::move(send));
 }
 
-void GroundControl::send_functional(const std::string& uav, functional::Verb verb,
-                                    executive::TaskId id, Effects& out) {
+SendFunctional GroundControl::functional_of(const std::string& uav, functional::Verb verb,
+                                            executive::TaskId id) {
   functional::Request request{verb, id};
   if (const auto view = local(uav).executive.find(id)) {
     request.type = view->type;
     if (verb == functional::Verb::kDispatch) request.parameters = view->parameters;
   }
-  out.emplace_back(SendFunctional{uav, std::move(request)});
+  return {uav, std::move(request)};
 }
 
 void GroundControl::deliver_sync(const SyncReceived& sync, MissionTime now, Effects& out) {

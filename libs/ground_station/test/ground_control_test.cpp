@@ -290,6 +290,7 @@ TEST(GroundControl, AtDegreeOneAnAbortInterruptsTheFunctionalLayer) {
   const Effects effects = ground.handle(command(abort_of(1)), at(2));
 
   EXPECT_EQ(first<SendFunctional>(effects).request.verb, functional::Verb::kInterrupt);
+  EXPECT_EQ(first<SendFunctional>(effects).expires, MissionTime::max()) << "it may run by now";
   EXPECT_EQ(first<SendFunctional>(effects).request.id, id(1));
   EXPECT_EQ(first<SendFunctional>(effects).request.type, "goto");
 }
@@ -310,9 +311,10 @@ TEST(GroundControl, AtDegreeOneTimeConditionsAndTimeOutsWakeTheGround) {
   executive::Config mle;
   mle.functional_timeout = Duration::seconds(20);
   GroundControl ground = control({{"marvin", 1, mle}});
-  ground.handle(command(start_of(1)), at(1));
+  const Effects begun = ground.handle(command(start_of(1)), at(1));
 
   EXPECT_EQ(ground.next_wakeup(), at(21));
+  EXPECT_EQ(first<SendFunctional>(begun).expires, at(21)) << "given up, it is not begun later";
   const Effects effects = ground.handle(Tick{}, at(21));
 
   EXPECT_THAT(local_states(effects), ElementsAre("1 aborted"));

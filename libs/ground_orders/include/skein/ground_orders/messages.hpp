@@ -345,6 +345,7 @@ struct MissionFinished {};
 struct SendFunctional {
   std::string uav;
   functional::Request request;
+  MissionTime expires = MissionTime::max();  ///< the UAV must not begin with it later
 };
 /// Send a synchronisation message to the MLE of `to`.
 struct SendSync {

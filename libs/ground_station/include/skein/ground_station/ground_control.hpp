@@ -169,9 +169,9 @@ class GroundControl {
   void route(const PerceptionProcessing::Effect& effect, Effects& out);
   void route_local(const LocalInput& cause, const executive::Effect& effect, MissionTime now,
                    Effects& out);
-  void dispatch(const std::string& uav, const executive::Dispatch& dispatch, Effects& out);
-  void send_functional(const std::string& uav, functional::Verb verb, executive::TaskId id,
-                       Effects& out);
+  void dispatch(const std::string& uav, const executive::Dispatch& dispatch, MissionTime now,
+                Effects& out);
+  SendFunctional functional_of(const std::string& uav, functional::Verb verb, executive::TaskId id);
   void ask_again(const std::string& uav, Effects& out);
   void deliver_sync(const SyncReceived& sync, MissionTime now, Effects& out);
   void send_kept_syncs(const std::string& to, Effects& out);
