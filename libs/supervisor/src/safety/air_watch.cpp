@@ -75,8 +75,8 @@ void AirWatch::look() {
   const world::VehicleState& vehicle = beliefs_.vehicle();
   if (!vehicle.airborne || beliefs_.world().volumes.empty() || now() < looked_ + kLookAgain) return;
   const bool hovers = beliefs_.model().hovers;
-  const bool stands =
-      hovers ? vehicle.velocity.norm() <= kAtRest : circled(book_, beliefs_).has_value();
+  const bool circles = circled(book_, beliefs_).has_value() || was_stopped(book_, beliefs_);
+  const bool stands = hovers ? vehicle.velocity.norm() <= kAtRest : circles;
   const bool moves = std::any_of(book_.tasks.begin(), book_.tasks.end(), [](const auto& one) {
     const Entry& entry = one.second;
     return entry.under_way() && !entry.has_not_moved() &&
@@ -181,7 +181,8 @@ const world::Volume* AirWatch::met_by(const Entry& entry) const {
 const world::Volume* AirWatch::closed_around(bool stops) const {
   if (!beliefs_.vehicle().airborne || !committer_.ever_gave()) return nullptr;
   const world::VehicleModel& vehicle = beliefs_.model();
-  const bool circles = stops || circled(book_, beliefs_).has_value();
+  const bool circles =
+      stops || circled(book_, beliefs_).has_value() || was_stopped(book_, beliefs_);
   const double margin =
       vehicle.body_radius + (circles ? stay_radius(vehicle) : 3 * world::tracking_spread(vehicle));
   const world::Vector3 at = place_of_vehicle(book_, beliefs_);

@@ -28,6 +28,14 @@ std::optional<world::Vector3> circled(const Book& book, const Beliefs& beliefs) 
   return near ? over : std::nullopt;
 }
 
+bool was_stopped(const Book& book, const Beliefs& beliefs) {
+  if (beliefs.model().hovers || !beliefs.vehicle().airborne) return false;
+  const Entry* last = nullptr;
+  for (const auto& [id, entry] : book.tasks)
+    if (!entry.task.way.empty() && entry.seen.started && !entry.has_not_moved()) last = &entry;
+  return last != nullptr && last->over() && !last->done();
+}
+
 world::Vector3 place_of_vehicle(const Book& book, const Beliefs& beliefs) {
   return circled(book, beliefs).value_or(beliefs.vehicle().position);
 }

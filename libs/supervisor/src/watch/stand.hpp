@@ -13,6 +13,10 @@ namespace skein::supervisor {
 /// near that. Absent for a vehicle that hovers, flies along a way, or is on the ground.
 std::optional<world::Vector3> circled(const Book& book, const Beliefs& beliefs);
 
+/// Whether a vehicle that cannot hover was stopped in its last motion: it circles where that was,
+/// and nobody knows around what. It may be a circle's width from where it is.
+bool was_stopped(const Book& book, const Beliefs& beliefs);
+
 /// circled(), else the vehicle's position [m, ENU].
 world::Vector3 place_of_vehicle(const Book& book, const Beliefs& beliefs);
 
