@@ -136,8 +136,9 @@ void Safekeeping::hold() {
 
 void Safekeeping::come_home() {
   const auto& place = core_.config().home;
-  const world::Vector3 home(place.at(0), place.at(1), place.at(2));
+  const world::Vector3 pad(place.at(0), place.at(1), place.at(2));
   const auto end = core_.merging().way_home_begins();
+  const world::Vector3 home = end ? pad : over_landing_place(pad);
   if (end)
     core_.bus().emit(Notice{
         "flies its way to the end before it comes home: nobody can be asked for air on another"});
@@ -147,6 +148,18 @@ void Safekeeping::come_home() {
     go(way_home_, end ? executive::InsertionMode::kNut : executive::InsertionMode::kVut);
   }
   if (!core_.config().drives) core_.own_tasks().start("land", {}, executive::InsertionMode::kNut);
+}
+
+// On air that is kept free for it nobody can be asked for other air.
+world::Vector3 Safekeeping::over_landing_place(const world::Vector3& pad) const {
+  if (!knows_world() || core_.config().drives) return pad;
+  const world::Vector3 over =
+      supervisor::over_landing_place(*core_.config().knowledge, *core_.deliberation().world(),
+                                     core_.bus().now(), seen_at_.value_or(pad), pad);
+  if (over != pad)
+    core_.bus().emit(
+        Notice{"its pad is too steep to land on: it comes down on the nearest ground that serves"});
+  return over;
 }
 
 std::vector<world::Vector3> Safekeeping::way_to(const world::Vector3& home,

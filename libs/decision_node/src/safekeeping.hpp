@@ -56,6 +56,7 @@ class Safekeeping {
   bool is_idle() const;
   bool is_left_alone() const;
   bool knows_world() const;
+  world::Vector3 over_landing_place(const world::Vector3& pad) const;
   std::vector<world::Vector3> way_to(const world::Vector3& home,
                                      const std::optional<world::Vector3>& from) const;
   void go(const std::vector<world::Vector3>& way, executive::InsertionMode mode);

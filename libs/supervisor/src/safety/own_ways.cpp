@@ -5,9 +5,11 @@
 #include <limits>
 
 #include "flight/flight_times.hpp"
+#include "flight/landing_place.hpp"
 #include "refinery/refinery.hpp"
 #include "safety/warning.hpp"
 #include "skein/world/crossing.hpp"
+#include "skein/world/landing_ground.hpp"
 #include "skein/world/segment.hpp"
 
 namespace skein::supervisor {
@@ -55,6 +57,17 @@ std::vector<Vector3> own_way(const std::shared_ptr<const Knowledge>& knowledge,
   Refinery refinery(Gazetteer(knowledge, world), now, kSeed);
   const auto way = refinery.ways.path(from, to);
   return way && way->way.size() > 1 ? way->way : std::vector<Vector3>{from, to};
+}
+
+// Closed or not, home is where it comes down.
+Vector3 over_landing_place(const Knowledge& knowledge, const world::World& world, MissionTime now,
+                           const Vector3& from, const Vector3& home) {
+  const auto ground = [&](const Vector3& at) { return world.terrain.elevation(at.x(), at.y()); };
+  const double astray = arrival_distance(knowledge.vehicle, world.wind);
+  if (!world::landing_problem(world.terrain, home.head<2>(), astray)) return home;
+  const auto place = landing_place(knowledge, world, {now}, from, home);
+  if (!place) return home;
+  return {place->x(), place->y(), ground(*place) + home.z() - ground(home)};
 }
 
 namespace {
