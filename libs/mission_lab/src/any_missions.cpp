@@ -471,7 +471,9 @@ class AnyDrawing {
 }  // namespace
 
 Mission generate_anything(std::uint64_t seed, const Kinds& kinds) {
-  return AnyDrawing(seed, kinds).draw();
+  Mission mission = AnyDrawing(seed, kinds).draw();
+  if (kinds.minds) change_minds(mission);
+  return mission;
 }
 
 }  // namespace skein::mission_lab

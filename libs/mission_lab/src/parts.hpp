@@ -71,6 +71,11 @@ std::string forgetting(std::string death);
 /// its stored state; its vehicles stay where they are.
 void add_deaths(Mission& mission, double latest);
 
+/// People change their minds: they cancel missions and give them again, take UAVs in hand and give
+/// them back in every order, and tell UAVs that places lie elsewhere. Drawn from the mission's seed
+/// by a separate sequence, so that the rest of the mission is unchanged.
+void change_minds(Mission& mission);
+
 /// Draws a device of the UAV.
 using DrawDevice = std::function<std::string(Random&)>;
 /// A fault of the vehicle in [10, latest] s: slow flight, an aborted task, a broken device, or a

@@ -36,8 +36,8 @@ struct Options {
   bool clean = false, deaths = false, team = false, crossing = false, merged = false,
        unmerged = false, sweeps = false, meetings = false, orders = false, gatherings = false,
        robots = false, relays = false, partners = false, fires = false, hands = false,
-       mixed = false, anything = false, sweepers = false, json = false, minimise = false,
-       verbose = false;
+       mixed = false, anything = false, minds = false, sweepers = false, json = false,
+       minimise = false, verbose = false;
   std::size_t examples = 3;
   std::int64_t capacity = 0;
   double planning_takes = 0;
@@ -52,6 +52,7 @@ Kinds kinds_of(const Options& options) {
   kinds.gatherings = options.gatherings;
   kinds.orders = options.orders;
   kinds.sweeps = options.sweeps;
+  kinds.minds = options.minds;
   for (const std::string& name : options.without) {
     if (name == "faults") kinds.faults = false;
     if (name == "air") kinds.air = false;
@@ -225,6 +226,11 @@ void declare_kinds(CLI::App& app, Options& options) {
   auto* anything = app.add_flag("--anything", options.anything,
                                 "as an outsider writes them: all kinds of vehicles at degrees 2 to "
                                 "5, and whatever the format of scenarios offers");
+  app.add_flag(
+         "--minds", options.minds,
+         "with --anything: people change theirs: missions are cancelled and given again, UAVs "
+         "taken in hand in every order, places moved")
+      ->needs(anything);
   const std::vector<CLI::Option*> all{team,  crossing, sweepers, meetings, robots,  relays,
                                       apart, fires,    hands,    mixed,    anything};
   for (auto* one : all)

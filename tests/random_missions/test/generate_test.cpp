@@ -271,6 +271,26 @@ TEST(Generate, MeetingsMayHaveAJointTaskOfTwoAmongThem) {
   EXPECT_GT(gatherings, 10);
 }
 
+TEST(Generate, PeopleChangeTheirMindsBesideEverythingElse) {
+  Kinds kinds;
+  kinds.minds = true;
+  int again = 0, moved = 0, taken = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    const Mission mission = generate_anything(seed, kinds), before = generate_anything(seed, {});
+    const std::string text = to_yaml(mission, "..");
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(to_yaml(generate_anything(seed, kinds), ".."), text);
+    for (std::size_t i = 0; i < before.steps.size(); ++i)
+      EXPECT_EQ(mission.steps.at(i).when, before.steps[i].when) << "seed " << seed;
+    again += text.find("again-") != std::string::npos ? 1 : 0;
+    moved += text.find("know_place: ") != std::string::npos ? 1 : 0;
+    taken += text.find("drop_plan: ") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_GT(again, 10);
+  EXPECT_GT(moved, 10);
+  EXPECT_GT(taken, 5);
+}
+
 TEST(Generate, FiresAreFollowedAndSomeAreWatchedJointly) {
   int joint = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {

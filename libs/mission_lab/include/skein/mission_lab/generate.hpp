@@ -29,6 +29,7 @@ struct Kinds {
   bool gatherings = false;  ///< among their meetings a joint task of two of them
   bool orders = false;      ///< they fly at one height, and merge their ways
   bool sweeps = false;      ///< of UAVs whose ways cross some map or search what lies in the middle
+  bool minds = false;       ///< of anything: people change theirs, in every order
 };
 /// Missions without faults, in which all requests are possible.
 inline constexpr Kinds kClean{false, false, false, false, false, false,
