@@ -41,7 +41,9 @@ LedgerEntry& TeamMember::Core::change(TaskNumber task) {
 }
 
 Status TeamMember::Core::status() const {
-  Status status{disk_.term, ledger().revision, own_.wants(now_), {}, {}, {}, losses_, bids_, {}};
+  // One of an earlier term with the same number is another.
+  const std::uint64_t has = ledger().term == disk_.term ? ledger().revision : 0;
+  Status status{disk_.term, has, own_.wants(now_), {}, {}, {}, losses_, bids_, {}};
   for (const GivenMission& mission : disk_.missions)
     if (!ledger().missions.contains(mission.number)) status.missions.push_back(mission);
   for (const auto& [task, sale] : disk_.done) {

@@ -84,8 +84,8 @@ struct Beat {
   std::shared_ptr<const Ledger> ledger;  ///< none: the receiver has reported this revision already
 };
 
-/// From a member to the holder, in answer to a beat: the revision it has, and all changes that it
-/// wants in the ledger. Each is repeated until the ledger shows it, so lost messages do no harm.
+/// From a member to the holder, in answer to a beat: the revision that it has of this term (0:
+/// none), and all changes that it wants in the ledger. Each is repeated until the ledger shows it, so lost messages do no harm.
 struct Status {
   std::uint64_t term = 0;
   std::uint64_t revision = 0;
