@@ -9,6 +9,7 @@
 #include "skein/journal/hand_on.hpp"
 #include "skein/journal/lines/deliberation.hpp"
 #include "skein/laws/air_history.hpp"
+#include "skein/scenario/narrowest.hpp"
 
 namespace skein::laws {
 
@@ -59,6 +60,18 @@ bool all_are_heard(const History& history, double since, double until) {
   });
 }
 
+/// How long two may wait for each other where everybody hears everybody [s]: what they decide in,
+/// and on narrow links the words for that, one after the other: for whom one waits, what another
+/// asks for to get out of the way, the answer.
+double longest_of_two(const scenario::RadioSpec& radio) {
+  constexpr double kDecides = 2;  // [s]
+  constexpr double kWords = 3;
+  constexpr double kWord = 8.0 * 2 * 450;  // [bit] with its frame, and as much of what shares it
+  const auto least = scenario::narrowest(radio);
+  const double links = radio.relays.empty() ? 1 : 2;
+  return kDecides + (least ? kWords * links * kWord / *least : 0);
+}
+
 }  // namespace
 
 bool AirHistory::see(const journal::Record& record) {
@@ -79,12 +92,12 @@ void AirHistory::hear(const journal::lines::Air& line, const journal::Written& w
 }
 
 std::vector<Violation> waits_for_each_other(const History& history) {
-  constexpr double kLongest = 2;  // [s], where everybody hears everybody
+  const double longest = longest_of_two(history.scenario->radio);
   std::vector<Violation> result;
   Waits waits;
   std::map<Pair, double> since;
   const auto over = [&](const Pair& pair, double from, double until) {
-    if (until - from <= kLongest || !all_are_heard(history, from, until)) return;
+    if (until - from <= longest || !all_are_heard(history, from, until)) return;
     result.push_back({"", from, pair.first, 0,
                       "it and " + pair.second + " wait for each other for their air, for " +
                           figure(until - from) + " s"});

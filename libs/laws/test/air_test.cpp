@@ -30,6 +30,19 @@ TEST(MutualLaw, WhoGetsOutOfTheWayWithinTwoSecondsKeepsIt) {
   EXPECT_THAT(blocked(21.9).broken("mutual"), IsEmpty());
 }
 
+TEST(MutualLaw, OnNarrowLinksItIsLongerByTheWordsThatEndIt) {
+  for (const auto& [capacity, longest] : {std::pair(9'600.0, 4.25), std::pair(57'600.0, 2.375)}) {
+    EXPECT_THAT(blocked(20 + longest - 0.1).capacity(capacity).broken("mutual"), IsEmpty());
+    EXPECT_THAT(blocked(20 + longest + 0.1).capacity(capacity).broken("mutual"), SizeIs(1));
+  }
+}
+
+TEST(MutualLaw, PastRelaysEachWordTakesTwoOfThem) {
+  EXPECT_THAT(blocked(26.4).capacity(9'600).relay("karma").broken("mutual"), IsEmpty());
+  EXPECT_THAT(blocked(26.6).capacity(9'600).relay("karma").broken("mutual"), SizeIs(1));
+  EXPECT_THAT(blocked(22.1).relay("karma").broken("mutual"), SizeIs(1)) << "they take no time";
+}
+
 // However long: the other flies, and leaves.
 TEST(MutualLaw, AWaitForOneThatDoesNotWaitIsNoneOfThese) {
   Story story;
