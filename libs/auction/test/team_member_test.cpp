@@ -305,24 +305,6 @@ TEST_F(TeamMemberTest, AMissionIsSaidToHoldersWhoseLedgerLacksIt) {
   EXPECT_EQ(said_after({5, 5, later}, 9), 1U) << "a member that had not heard of it took the token";
 }
 
-// Found by random teams: the last revision that a member heard of a holder that was cut off had the
-// number of the next holder's, which took it for its own. The member was never told any other.
-TEST_F(TeamMemberTest, ARevisionOfAnEarlierTermIsNotTheHoldersOfTheSameNumber) {
-  TeamMember one = member();
-  const auto has_after = [&](const Beat& beat, double second) {
-    return said<Status>(one.handle(from(1, beat), at(second))).at(0).revision;
-  };
-  auto ledger = std::make_shared<Ledger>(*granted());
-  ledger->term = 2;
-  ledger->revision = 22;
-  auto next = std::make_shared<Ledger>(*ledger);
-  next->term = 3;
-
-  EXPECT_EQ(has_after({2, 22, ledger}, 1), 22U);
-  EXPECT_EQ(has_after({3, 22, nullptr}, 2), 0U);
-  EXPECT_EQ(has_after({3, 22, next}, 3), 22U);
-}
-
 // ---- taking part, and beats ----
 
 struct Plain : Craft {
