@@ -88,6 +88,11 @@ mission::HighLevelTask read_goal(const Reader& reader, const std::string& uav, s
     id.error("high-level task " + to_text(task.id) + " is asked of " + uav + " twice",
              "ids that are unique for the whole mission");
   }
+  if (id.present() && context.team_tasks.contains(task.id) && is_of_team(uav, context)) {
+    id.error("high-level task " + to_text(task.id) + " is a task of the team, which " + uav +
+                 " may be sold",
+             "an id that no task of the team has");
+  }
   read_statement(reader.required("task"), task, number, targets);
   task.time = read_time_constraints(reader);
   read_after(reader.optional("start_after_goal"), false, uav, task, context);

@@ -29,6 +29,8 @@ mission::GoalId read_goal_id(const config::Reader& reader, const std::string& ua
                              TaskContext& context);
 /// Reads {id, task, …} of a global mission.
 ground_station::Action read_global_mission(const config::Reader& reader, TaskContext& context);
+/// Whether the UAV is one of the scenario's team.
+bool is_of_team(const std::string& uav, const TaskContext& context);
 ground_station::Action read_declare_lost(const config::Reader& reader, TaskContext& context);
 ground_station::Action read_declare_found(const config::Reader& reader, TaskContext& context);
 ground_station::OnTeamTask read_on_team_task(const config::Reader& reader, TaskContext& context);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of a scenario about its team: who is in it, and global missions.
 #include <algorithm>
+#include <optional>
+#include <string>
 
 #include "read_missions.hpp"
 #include "skein/scenario/narrowest.hpp"
@@ -86,6 +88,13 @@ void read_before(const Reader& reader, team::GlobalTask& asked) {
   asked.task.after.push_back(bound);
 }
 
+// A task of the team is a goal of that number at whoever does it.
+std::optional<std::string> member_with_goal(GoalId goal, const TaskContext& context) {
+  for (const auto& [key, mark] : context.goals)
+    if (key.second == goal && is_of_team(key.first, context)) return key.first;
+  return std::nullopt;
+}
+
 team::GlobalTask read_team_task(const Reader& reader, std::size_t number,
                                 std::vector<ground_station::ArgumentTarget>& targets,
                                 TaskContext& context) {
@@ -99,6 +108,10 @@ team::GlobalTask read_team_task(const Reader& reader, std::size_t number,
   if (id.present() && !context.team_tasks.insert(asked.task.id).second) {
     id.error("task " + to_text(asked.task.id) + " is given to the team twice",
              "ids that are unique among all global missions");
+  }
+  if (const auto uav = id.present() ? member_with_goal(asked.task.id, context) : std::nullopt) {
+    id.error("task " + to_text(asked.task.id) + " is a high-level task of " + *uav + " already",
+             "an id that no UAV of the team has a high-level task with");
   }
   context.goals.emplace(std::pair(std::string(), asked.task.id),
                         world::Mark{reader.line(), reader.path()});
@@ -157,6 +170,11 @@ std::optional<team::Config> read_team(const Reader& reader, const Names& names,
     reader.error("patience is less than two beats", "patience: seconds");
   }
   return config;
+}
+
+bool is_of_team(const std::string& uav, const TaskContext& context) {
+  const auto& team = context.scenario.team;
+  return !uav.empty() && team && team->roster.number_of(uav).has_value();
 }
 
 ground_station::Action read_global_mission(const Reader& reader, TaskContext& context) {

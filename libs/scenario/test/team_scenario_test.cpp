@@ -167,5 +167,19 @@ TEST(TeamScenario, TasksGivenTwiceStrangersAndWhatIsNeverGivenAreErrors) {
               HasSubstr("patience is less than two beats"));
 }
 
+// Found by missions of an outsider: reports of the one were taken for reports of the other.
+TEST(TeamScenario, ATaskOfTheTeamAndAGoalOfAMemberAreNotOfOneNumber) {
+  const auto team_task = [](int id) {
+    return "{global_mission: {id: 1, tasks: [{id: " + std::to_string(id) + ", task: [land]}]}}";
+  };
+  const std::string goal = "{mission: {uav: karma, id: 9, tasks: [{id: 11, task: [land]}]}}";
+
+  EXPECT_THAT(errors_of(with_team("{}", team_task(701))),
+              HasSubstr("task 701 is a high-level task of karma already"));
+  EXPECT_THAT(errors_of(with_team("{}", team_task(11) + ", " + goal)),
+              HasSubstr("high-level task 11 is a task of the team, which karma may be sold"));
+  EXPECT_EQ(errors_of(with_team("{members: [heliv]}", team_task(11) + ", " + goal)), "");
+}
+
 }  // namespace
 }  // namespace skein::scenario
