@@ -90,7 +90,7 @@ TEST(Plans, ALongWayIsSentWithFewerPointsButWholeFromEndToEnd) {
   const wire::MissionPlan plan = to_wire("karma", report);
 
   EXPECT_EQ(wire::find_violation(plan), std::nullopt);
-  const auto& way = from_wire(plan)->tasks[0].task.way;
+  const auto way = from_wire(plan)->tasks[0].task.way;
   EXPECT_GT(way.size(), 1000U);
   EXPECT_EQ(way.front().x(), 0);
   EXPECT_EQ(way.back().x(), 4999);
