@@ -84,11 +84,9 @@ void TeamMember::Core::declare(MemberNumber member, bool lost) {
 
 // Of those that are not declared lost; it counts itself in.
 bool TeamMember::Core::majority(const std::set<MemberNumber>& members) const {
-  Losses losses = losses_;
-  losses.learn(ledger().losses);
   std::size_t all = 0, with = 0;
   for (const MemberNumber member : setup_.roster) {
-    if (losses.is_lost(member)) continue;
+    if (losses_.is_lost(member, ledger().losses)) continue;
     ++all;
     with += member == setup_.self || members.contains(member) ? 1 : 0;
   }

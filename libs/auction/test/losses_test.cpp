@@ -34,7 +34,9 @@ TEST(Losses, WhoKnowsMoreIsRightWhoeverHearsWhom) {
   for (int mine = 0; mine < 4; ++mine) {
     for (int theirs = 0; theirs < 4; ++theirs) {
       Losses losses = declared(mine);
+      const bool together = losses.is_lost(kMember, declared(theirs));
       EXPECT_EQ(losses.learn(declared(theirs)), theirs > mine) << mine << " " << theirs;
+      EXPECT_EQ(together, losses.is_lost(kMember));
       EXPECT_EQ(losses, declared(std::max(mine, theirs)));
     }
   }

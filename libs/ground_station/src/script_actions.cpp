@@ -91,13 +91,12 @@ void MissionPlanning::perform(const SendGlobalMission& action, const Deed& deed)
   deed.effects.emplace_back(GiveGlobalMission{std::move(mission)});
 }
 
-void MissionPlanning::perform(const DeclareLost& action, const Deed& deed) {
+template <class Declared>
+void MissionPlanning::perform(const Declared& action, const Deed& deed) {
   deed.effects.emplace_back(action);
 }
-
-void MissionPlanning::perform(const DeclareFound& action, const Deed& deed) {
-  deed.effects.emplace_back(action);
-}
+template void MissionPlanning::perform(const DeclareLost& action, const Deed& deed);
+template void MissionPlanning::perform(const DeclareFound& action, const Deed& deed);
 
 void MissionPlanning::perform(const PlayRole& action, const Deed& deed) {
   PlayRole play = action;

@@ -85,7 +85,8 @@ struct Beat {
 };
 
 /// From a member to the holder, in answer to a beat: the revision that it has of this term (0:
-/// none), and all changes that it wants in the ledger. Each is repeated until the ledger shows it, so lost messages do no harm.
+/// none), and all changes that it wants in the ledger. Each is repeated until the ledger shows it,
+/// so lost messages do no harm.
 struct Status {
   std::uint64_t term = 0;
   std::uint64_t revision = 0;

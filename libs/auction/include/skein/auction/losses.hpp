@@ -14,6 +14,10 @@ namespace skein::auction {
 class Losses {
  public:
   bool is_lost(MemberNumber member) const { return turns_of(member) % 2 == 1; }
+  /// By what this and the other know together.
+  bool is_lost(MemberNumber member, const Losses& other) const {
+    return (turns_of(member) < other.turns_of(member) ? other : *this).is_lost(member);
+  }
   /// False: it was so already.
   bool declare(MemberNumber member, bool lost);
   /// Takes what the other knows and this does not. False: nothing.

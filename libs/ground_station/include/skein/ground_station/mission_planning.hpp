@@ -120,8 +120,9 @@ class MissionPlanning {
   void perform(const OpenAir& action, const Deed& deed);
   void perform(const TellWorld& action, const Deed& deed);
   void perform(const SendGlobalMission& action, const Deed& deed);
-  void perform(const DeclareLost& action, const Deed& deed);
-  void perform(const DeclareFound& action, const Deed& deed);
+  /// DeclareLost and DeclareFound, which the team and the partners are told as they are.
+  template <class Declared>
+  void perform(const Declared& action, const Deed& deed);
   void perform(const PlayRole& action, const Deed& deed);
   void perform(const Finish& action, const Deed& deed);
   /// Replaces arguments by their resolved targets; returns why that fails, empty if it does not.
