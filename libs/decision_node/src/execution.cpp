@@ -157,10 +157,22 @@ void Execution::post(Asked asked) {
 }
 
 void Execution::handle(const Asked& asked) {
+  if (const auto task = not_given_back(asked.input)) {
+    core_.interrupt(*task);
+    return carry_out(executive::Reply{executive::RequestKind::kAbort, *task, true, ""}, asked);
+  }
   wait_starts_.see(executive_.waits(), core_.bus().now());
   for (const executive::Effect& effect : executive_.handle(asked.input, core_.bus().now())) {
     std::visit([&](const auto& one) { carry_out(one, asked); }, effect);
   }
+}
+
+// The ground had it at degree 1, and may be out of reach since: it runs, and can be interrupted.
+std::optional<functional::TaskId> Execution::not_given_back(const executive::Input& input) const {
+  const auto* abort = std::get_if<executive::Abort>(&input);
+  if (abort == nullptr || mission::runs_at_ground(core_.degree())) return std::nullopt;
+  const bool runs = core_.vehicle().is_of_ground(abort->id) && !holds(abort->id);
+  return runs ? std::optional(abort->id) : std::nullopt;
 }
 
 // ---- what the executive asks for ----

@@ -67,6 +67,8 @@ class Execution final : public Component {
   std::vector<executive::Wait> waits() const;
   void note_over(functional::TaskId id);
   void handle(const Asked& asked);
+  /// The task under way that is to be aborted and that the ground has not given back yet.
+  std::optional<functional::TaskId> not_given_back(const executive::Input& input) const;
   void carry_out(const executive::TaskEvent& event, const Asked& asked);
   void carry_out(const executive::Dispatch& dispatch, const Asked& asked);
   void carry_out(const executive::Interrupt& interrupt, const Asked& asked);

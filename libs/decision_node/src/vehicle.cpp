@@ -20,7 +20,16 @@ bool holds_vehicle(const std::string& type) {
 
 bool Vehicle::must_wait(const functional::Request& request) const {
   if (!holds_vehicle(request.type)) return false;
-  return !ending_.empty() || (!is_own(request.id) && !own_tasks_.none_open());
+  return !ending_.empty() || (!is_own(request.id) && !own_tasks_.none_open()) ||
+         !in_the_way(request.id).empty();
+}
+
+std::vector<functional::TaskId> Vehicle::in_the_way(functional::TaskId task) const {
+  std::vector<functional::TaskId> motions;
+  if (is_of_ground(task)) return motions;
+  for (const auto& [one, type] : of_ground_)
+    if (one != task && under_way_.contains(one) && holds_vehicle(type)) motions.push_back(one);
+  return motions;
 }
 
 void Vehicle::dispatch(functional::Request request) {
@@ -28,9 +37,11 @@ void Vehicle::dispatch(functional::Request request) {
     if (!merging_.takes(request)) begin(std::move(request));
     return;
   }
-  const bool own = is_own(request.id);
+  const functional::TaskId task = request.id;
   waiting_.push_back(std::move(request));
-  if (!own) own_tasks_.abort_all();
+  if (!is_own(task)) own_tasks_.abort_all();
+  for (const functional::TaskId one : in_the_way(task))
+    if (!ending_.contains(one)) stop(one);
 }
 
 void Vehicle::begin(functional::Request request) {

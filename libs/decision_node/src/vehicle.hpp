@@ -15,7 +15,8 @@ class Merging;
 class OwnTasks;
 
 /// The functional layer executes one moving task at a time: a task that moves or holds the vehicle
-/// waits until own tasks, which give way, and interrupted tasks are over. With plan merging a
+/// waits until own tasks, which give way, and interrupted tasks are over. So do, to what the
+/// executive on board asks for, motions that the ground has not given back. With plan merging a
 /// moving task then waits for its reservation.
 class Vehicle {
  public:
@@ -56,6 +57,8 @@ class Vehicle {
   };
 
   bool must_wait(const functional::Request& request) const;
+  /// Motions of the ground under way while the executive on board asks for `task`.
+  std::vector<functional::TaskId> in_the_way(functional::TaskId task) const;
   void stop(functional::TaskId task);
 
   Bus& bus_;

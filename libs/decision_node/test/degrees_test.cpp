@@ -176,6 +176,44 @@ TEST(Degrees, UpFromOneTheGroundGivesBackWhatItHasByStart) {
   EXPECT_FALSE(testing::all<TaskChanged>(over).empty());
 }
 
+// The ground may be out of reach: the vehicle would refuse every motion while its task runs.
+TEST(Degrees, UpFromOneWhatTheGroundHasNotGivenBackGivesWayToTheNextMotion) {
+  FlownNode node(1);
+  node.give(ElementaryRequest{{functional::Verb::kDispatch, TaskId(3), "wait", {}}});
+  node.give(testing::status_of(3, TaskState::kRunning));
+  node.give(Command{{1, 1}, mission::ChangeDegree{3}});
+
+  const Effects asked = node.give(Command{{1, 2}, testing::start_of(4, "goto")});
+  const Effects over = node.give(testing::status_of(3, TaskState::kAborted, "interrupted"));
+
+  EXPECT_THAT(testing::asked_of_vehicle(asked), ElementsAre("interrupt 3"));
+  EXPECT_THAT(testing::asked_of_vehicle(over), ElementsAre("dispatch goto"));
+  EXPECT_THAT(testing::all<StatusPassedOn>(over), SizeIs(1)) << "the ground hears how it ended";
+}
+
+TEST(Degrees, UpFromOneALookLeavesWhatTheGroundHasNotGivenBack) {
+  FlownNode node(1);
+  node.give(ElementaryRequest{{functional::Verb::kDispatch, TaskId(3), "wait", {}}});
+  node.give(Command{{1, 1}, mission::ChangeDegree{3}});
+
+  const Effects asked = node.give(Command{{1, 2}, testing::start_of(4, "takeshot")});
+
+  EXPECT_THAT(testing::asked_of_vehicle(asked), ElementsAre("dispatch takeshot"));
+}
+
+TEST(Degrees, UpFromOneWhatTheGroundHasNotGivenBackCanBeAborted) {
+  FlownNode node(1);
+  node.give(ElementaryRequest{{functional::Verb::kDispatch, TaskId(3), "goto", {}}});
+  node.give(Command{{1, 1}, mission::ChangeDegree{3}});
+
+  const Effects effects = node.give(Command{{1, 2}, executive::Abort{TaskId(3)}});
+
+  EXPECT_THAT(testing::asked_of_vehicle(effects), ElementsAre("interrupt 3"));
+  const auto answers = testing::all<Answer>(effects);
+  ASSERT_THAT(answers, SizeIs(1));
+  EXPECT_TRUE(answers[0].accepted);
+}
+
 TEST(Degrees, InterruptedInTheAirItHoldsAndOnTheGroundItDoesNot) {
   for (const bool airborne : {true, false}) {
     FlownNode node(3);
