@@ -179,7 +179,7 @@ const world::Volume* AirWatch::met_by(const Entry& entry) const {
 
 // `stops`: what it does now; then it circles where it is.
 const world::Volume* AirWatch::closed_around(bool stops) const {
-  if (!beliefs_.vehicle().airborne || !committer_.ever_gave()) return nullptr;
+  if (!beliefs_.vehicle().airborne) return nullptr;
   const world::VehicleModel& vehicle = beliefs_.model();
   const bool circles =
       stops || circled(book_, beliefs_).has_value() || was_stopped(book_, beliefs_);

@@ -140,7 +140,7 @@ bool EnergyWatch::comes_down() const {
 
 // The last of all: no plan has brought it down, and the reserve is near.
 void EnergyWatch::come_down_at_once() {
-  if (!beliefs_.vehicle().airborne || !committer_.ever_gave() || comes_down()) return;
+  if (!beliefs_.vehicle().airborne || comes_down()) return;
   const double needed = retreat().descent(beliefs_.vehicle().position);
   if (needed <= 0 || beliefs_.energy_above_reserve() > needed + kTouchDown) return;
   if (safe_mode_.pauses()) return;

@@ -222,6 +222,21 @@ TEST(SupervisorWorld, AroundAUavOnTheGroundIsNotLeft) {
   EXPECT_FALSE(desk.job_started());
 }
 
+// An operator flew it there at a lower degree, and gave it to itself without a mission.
+TEST(SupervisorWorld, ClosedAroundAUavThatWasNeverGivenAMissionIsLeft) {
+  Desk told_of_it = Desk::engaged(that_leaves()), was_in_it = Desk::engaged(that_leaves());
+  told_of_it.flies();
+  was_in_it.give(closed("fire", kHere));
+
+  told_of_it.at(30).give(closed("fire", kHere));
+  was_in_it.at(30).flies();
+
+  for (Desk* desk : {&told_of_it, &was_in_it}) {
+    ASSERT_TRUE(desk->job_started());
+    EXPECT_EQ(desk->repair().remaining[0].name, "leave-closed-air");
+  }
+}
+
 /// It cannot hover, and circles 40 m wide.
 Config of_a_blimp() {
   Config config = that_leaves();

@@ -235,6 +235,16 @@ TEST(SupervisorEnergy, WithoutAnyPlanItLandsWhereItIsBeforeTheReserve) {
   EXPECT_EQ(start->task.type, "land");
 }
 
+TEST(SupervisorEnergy, WhoWasNeverGivenAMissionLandsWhereItIsBeforeTheReserveToo) {
+  Desk desk = Desk::engaged(with_figures());
+  desk.at(200).flies({1000, 0, 40}, 0.124);
+  desk.finish(RepairOutcome{});
+
+  desk.at(400).flies({1000, 0, 40}, 0.105);
+
+  EXPECT_THAT(desk.notices(), Contains(HasSubstr("lands at once")));
+}
+
 // Found by a storm (karma/detection, seed 1020): the pause grew to a minute, and it came down after
 // its reserve.
 TEST(SupervisorEnergy, ALastLandingThatIsRefusedIsAskedForAgainSoonHoweverOften) {
