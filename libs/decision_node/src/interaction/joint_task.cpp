@@ -92,6 +92,7 @@ void JointTask::load(const Before& before) {
 }
 
 void JointTask::ask_again(executive::TaskId task, std::vector<mission::Interval> preferences) {
+  if (task != my_.joint.task) dispatched_ = false;
   my_.joint.task = task;
   preferences_ = std::move(preferences);
   answered_ = false;

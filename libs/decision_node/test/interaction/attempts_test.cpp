@@ -9,6 +9,7 @@ namespace skein::decision_node {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 /// Heliv is silent from 0 s on; its lease is 200 s.
@@ -66,6 +67,22 @@ TEST_F(Attempts, OneThatIsMadeLaterHasALeaseOfItsOwn) {
   EXPECT_THAT(host.not_loaded, SizeIs(1));
   run(340, 360);
   EXPECT_THAT(host.not_loaded, SizeIs(2));
+}
+
+// Found by missions of an outsider (256): the executive was told that it is aborted, which it was.
+TEST_F(Attempts, OneThatGoesOnUnderAnotherNumberWasNotStartedUnderThat) {
+  load(7, 400);
+  interaction.due(executive::TaskId(7), false);
+  load(7, 300);
+  load(8, 400);
+  interaction.leave(executive::TaskId(8), "not wanted");
+  EXPECT_THAT(host.inputs, IsEmpty());
+
+  load(9, 400);
+  interaction.due(executive::TaskId(9), false);
+  load(9, 300);
+  interaction.leave(executive::TaskId(9), "not wanted");
+  EXPECT_THAT(host.inputs, SizeIs(1)) << "the executive had started that one";
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ class LoneJointHost final : public JointHost {
   const Config& config() const override { return config_; }
   Partners& partners() override { return partners_; }
   std::shared_ptr<const world::World> world() const override { return config_.world; }
-  void run(executive::Input) override {}
+  void run(executive::Input input) override { inputs.push_back(std::move(input)); }
   bool stops(executive::TaskId) const override { return false; }
   std::vector<mission::HeldTask> held() const override { return {}; }
   executive::TaskId first_role_id() const override { return functional::kFirstRoleId; }
@@ -33,7 +33,8 @@ class LoneJointHost final : public JointHost {
   }
   std::string why_not(const Joint&, const std::string&) const override { return ""; }
 
-  std::vector<std::string> not_loaded;  ///< why
+  std::vector<std::string> not_loaded;   ///< why
+  std::vector<executive::Input> inputs;  ///< to its executive
 
  private:
   Bus bus_;
