@@ -74,6 +74,7 @@ std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
   for (const UavSpec& uav : scenario.uavs) {
     ground_station::GroundUav one{uav.name, uav.degree, {}};
     one.executive.name = uav.name;
+    one.executive.idle_type = "wait";
     one.executive.functional_timeout = defaults.functional_timeout;
     one.executive.sync_validity = scenario_setup::kSyncValidity;
     config.uavs.push_back(std::move(one));

@@ -18,6 +18,7 @@ executive::Config executive_config(const Config& config) {
   result.functional_timeout = config.functional_timeout;
   result.sync_validity = config.sync_validity;
   result.background_type = config.background_type;
+  result.idle_type = "wait";
   return result;
 }
 

@@ -196,10 +196,13 @@ void Safekeeping::look_after(const world::Telemetry& telemetry) {
   seen_at_ = telemetry.state.position;
   if (!holds_) leaves_to_.reset();
   if (owed_ && core_.execution().airborne() && is_idle()) carry_out_policy();
-  warned_ = warned_ && core_.execution().airborne();
+  warned_ = warned_ && may_be_on_its_way();
   if (!may_be_on_its_way() || !knows_world()) return;
   look_ahead(telemetry.state.position);
-  if (core_.config().drives) return warn_of_closed_air(telemetry.state.position);
+  if (core_.config().drives) {
+    warn_of_energy(telemetry);
+    return warn_of_closed_air(telemetry.state.position);
+  }
   if (!holds_) {
     warn_of_energy(telemetry);
     if (is_left_alone()) return leave_closed_air(telemetry.state.position);
@@ -221,11 +224,11 @@ bool Safekeeping::must_return(const world::Telemetry& telemetry) const {
 }
 
 // Whoever has it in hand decides; the UAV itself comes home only where it deliberates, holds, or
-// was left in the air.
+// was left in the air. What keeps to the ground is safe where it stands.
 void Safekeeping::warn_of_energy(const world::Telemetry& telemetry) {
   const MissionTime now = core_.bus().now();
   if (core_.deliberation().engaged() || now < looked_at_energy_ + kEnergyAgain) return;
-  const bool left = is_left_alone();
+  const bool left = !core_.config().drives && is_left_alone();
   if (warned_ && !left) return;
   looked_at_energy_ = now;
   if (!must_return(telemetry)) return;

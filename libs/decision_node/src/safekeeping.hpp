@@ -72,7 +72,7 @@ class Safekeeping {
   Duration pause_;
   /// The policy came due on the ground; a takeoff that was given before may still follow.
   bool owed_ = false;
-  /// The warning that the energy is short was given in this flight.
+  /// The warning that the energy is short was given in this flight; ever, where it drives.
   bool warned_ = false;
   std::map<std::string, MissionTime> closed_around_;  ///< volumes, and until when it was in each
   MissionTime looked_at_energy_;

@@ -156,6 +156,22 @@ TEST(InAnOperatorsHand, OneThatDrivesTellsOfClosedAirToo) {
   EXPECT_THAT(robot.news(), ElementsAre(kInSmoke));
 }
 
+// It stands there until its energy is used up: whoever has it in hand is to know (missions of an
+// outsider 178, 255).
+TEST(InAnOperatorsHand, OneThatDrivesSaysOnceThatItsEnergyIsShortAndStandsWhereItIs) {
+  KeptUavSetup setup = of(ContactPolicy::kHold);
+  setup.drives = true;
+  KeptUav robot(setup);
+  robot.flies_at({100, 0, 0}, 0.5);
+  EXPECT_THAT(robot.news(), IsEmpty());
+
+  for (double now = 100; now < 130; now += 6) {
+    robot.flies_at({100, 0, 0}, 0.11);
+    robot.at(now);
+  }
+  EXPECT_THAT(robot.news(), ElementsAre("notice: its energy lasts no longer than to come home"));
+}
+
 TEST(InAnOperatorsHand, AllVolumesAroundAreNamed) {
   KeptUav uav = left_alone({closed("smoke", {100, 0, 0}, 50, 300), closed("far", {300, 0, 0}, 50),
                             closed("storm", {90, 0, 0}, 60, 300)},

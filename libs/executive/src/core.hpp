@@ -58,6 +58,7 @@ class Executive::Core {
   // transitions.cpp
   void set_state(Slot slot, TaskState state, const std::string& reason = {});
   void announce(const TaskRecord& record);
+  void make_way_for(const TaskRecord& task);
   void dispatch(Slot slot);
   void run_synchronisation(Slot slot);
   void say(const Synchronisation& synchronisation, SyncWord word);

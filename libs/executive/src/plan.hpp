@@ -38,6 +38,7 @@ struct TaskRecord {
   bool urgent = false;  ///< inserted by VUT and not yet dispatched
   bool joint = false;
   bool background = false;
+  bool idle = false;     ///< of Config::idle_type, without an end
   bool answers = false;  ///< over, and the answer to its interruption may still come
 
   bool uses(std::uint32_t resource) const {

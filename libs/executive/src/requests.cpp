@@ -33,6 +33,8 @@ Formula preconditions_of(const Start& request, const Plan& plan) {
   const Modality modality =
       request.mode == InsertionMode::kDep ? Modality::kMandatory : Modality::kOptional;
   for (const TaskId id : plan.open()) {
+    const TaskRecord& other = plan[*plan.find(id)];
+    if (other.idle && is_active(other.state)) continue;
     formula.push_back({Literal{TaskInState{id, TaskState::kEnded}, false, modality}});
   }
   return formula;
@@ -92,6 +94,8 @@ void Executive::Core::on(const Start& request) {
   const Slot slot = enter(task);
   if (incoherence) return set_state(slot, TaskState::kAborted, *incoherence);
   announce(plan_[slot]);
+  plan_[slot].idle = config_.idle_type == task.type && task.exit.empty() &&
+                     task.parameters.find("duration") == nullptr;
   plan_[slot].urgent = request.mode == InsertionMode::kVut;
   conditions_.attach(slot, Role::kExit, task.exit, deadline);
   conditions_.attach(slot, Role::kPreconditions, preconditions, std::nullopt);
@@ -160,6 +164,7 @@ void Executive::Core::on(const UpdateConditions& request) {
   if (refusal) return;
   const Slot slot = *plan_.find(request.id);
   if (request.exit) {
+    plan_[slot].idle = plan_[slot].idle && request.exit->empty();
     const auto& synchronisation = plan_[slot].synchronisation;
     conditions_.attach(slot, Role::kExit, *request.exit,
                        synchronisation ? synchronisation->deadline : std::nullopt);

@@ -75,12 +75,22 @@ void Executive::Core::expect_answer(TaskRecord& record) {
   timers_.set(Timer{*record.due, Timer::Kind::kTimeout, record.id});
 }
 
+// Who performs them keeps the dispatch behind the interruption.
+void Executive::Core::make_way_for(const TaskRecord& task) {
+  for (const TaskId id : resources_.users_of(task.resources)) {
+    const Slot user = *plan_.find(id);
+    if (plan_[user].idle && plan_[user].state != TaskState::kAborting)
+      interrupt(user, "gives way to task " + to_text(task.id));
+  }
+}
+
 // scheduled    Π satisfied, or urgent and free to go    started (synchronise: at once running)
 void Executive::Core::dispatch(Slot slot) {
   TaskRecord& record = plan_[slot];
   if (record.uses(motion_) && background_.task() != record.id) {
     end_background("displaced by task " + to_text(record.id));
   }
+  make_way_for(record);
   urgents_.leave(record);
   conditions_.detach(slot, Role::kPreconditions);
   resources_.acquire(record.id, record.resources);

@@ -56,6 +56,51 @@ TEST(InsertionMode, DepAndNutGoAtOnceWhenNothingIsLeft) {
               ElementsAre("2 scheduled", "2 started", "dispatch 2"));
 }
 
+// --- what is done for want of anything else ---
+
+Mission waiting(const Task& wait = TaskOf(1, "wait")) {
+  Config config = testing::named("marvin");
+  config.idle_type = "wait";
+  Mission mission(config);
+  mission.start(wait);
+  mission.runs(1);
+  return mission;
+}
+const testing::Words kGivesWay{"2 scheduled", "1 aborting", "interrupt 1", "2 started",
+                               "dispatch 2"};
+
+TEST(IdleTask, IsNotWaitedForByDepAndNutAndGivesWay) {
+  EXPECT_EQ(waiting().start(TaskOf(2, "goto"), kDep), kGivesWay);
+  EXPECT_EQ(waiting().start(TaskOf(2, "goto"), kNut), kGivesWay);
+  EXPECT_EQ(waiting().start(TaskOf(2, "goto")), kGivesWay);
+}
+
+TEST(IdleTask, GivesWayWhenWhatComesIsDueAndNotBefore) {
+  Mission mission = waiting();
+  EXPECT_THAT(mission.start(TaskOf(2, "goto").pre({cm("go")})), ElementsAre("2 scheduled"));
+  EXPECT_THAT(mission.message("go"),
+              ElementsAre("1 aborting", "interrupt 1", "2 started", "dispatch 2"));
+  EXPECT_EQ(mission.reason_of(1), "gives way to task 2");
+}
+
+TEST(IdleTask, StaysBesideWhatNeedsNothingOfIt) {
+  EXPECT_THAT(waiting().start(TaskOf(2, "takeshot").device("visible"), kDep),
+              ElementsAre("2 scheduled", "2 started", "dispatch 2"));
+}
+
+TEST(IdleTask, IsNoneThatEndsByItselfOrHasNotBegun) {
+  Task lasts = TaskOf(1, "wait");
+  lasts.parameters.add(Parameter{"duration", {}, {20}});
+  const Task stopped = TaskOf(1, "wait").exit({cm("stop")});
+  EXPECT_THAT(waiting(lasts).start(TaskOf(2, "goto"), kDep), ElementsAre("2 scheduled"));
+  EXPECT_THAT(waiting(stopped).start(TaskOf(2, "goto"), kDep), ElementsAre("2 scheduled"));
+  EXPECT_THAT(waiting(TaskOf(1, "wait").pre({cm("go")})).start(TaskOf(2, "goto"), kDep),
+              ElementsAre("2 scheduled"));
+  Mission without;
+  without.start(TaskOf(1, "wait"));
+  EXPECT_THAT(without.start(TaskOf(2, "goto"), kDep), ElementsAre("2 scheduled"));
+}
+
 TEST(InsertionMode, DepFallsWithItsPredecessorAndNutSurvivesIt) {
   Mission mission;
   mission.start(TaskOf(1, "goto"));

@@ -206,6 +206,27 @@ TEST(SupervisorHandOver, NewTasksWaitForWhatTheGroundHasStarted) {
   EXPECT_EQ(waits[1][0].condition, executive::Condition(executive::TaskInState{TaskId{101}}));
 }
 
+// Found by missions of an outsider (249): its plan waited behind it until its energy was used up.
+TEST(SupervisorHandOver, ASafeWaitThatComesBackEndsWhenOrdersCome) {
+  Desk desk = under_way();
+  desk.give(CancelMission{{{GoalId{701}, GoalId{702}}, {}, true}, "operator"});
+  desk.aborted_as_asked(101);
+  desk.aborted_as_asked(100);
+  desk.flies();
+  ASSERT_TRUE(desk.started(103).has_value()) << "the safe wait";
+  desk.runs(103);
+  desk.at(50).give(Disengage{"degree 1"});
+
+  desk.at(90).give(Engage{true, "degree 4", std::vector<TaskId>{}});
+  desk.runs(103);
+  desk.flies();
+  EXPECT_THAT(desk.requests(), IsEmpty()) << "no other";
+  desk.add(a_mission(2, {703}));
+  desk.finish(inserted({703}, {TaskOf(110, "goto", 703)}));
+
+  EXPECT_THAT(desk.requests(), Contains("ABORT 103"));
+}
+
 TEST(SupervisorHandOver, CancelledMeanwhileTakesWhatDependsOnItToTheGround) {
   Desk desk = Desk::engaged();
   desk.add(a_mission(1, {701, 702}));

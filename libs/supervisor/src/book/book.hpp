@@ -53,6 +53,9 @@ struct Loose {
   bool leads_away = false;  ///< given by an operator; the vehicle's position after it is unknown
 };
 
+/// In Book::forgotten: the supervisor gave it, and another executive has it; it may come back.
+inline constexpr std::uint8_t kOursElsewhere = 2;
+
 /// True for a task that ends by its stop or by an order: the executive never counts it as ended.
 bool ends_by_order(const mission::ElementaryTask& task);
 
@@ -67,7 +70,8 @@ class Book {
   std::vector<GoalId> order;
   std::map<TaskId, Entry> tasks;
   std::map<TaskId, Loose> loose;  ///< tasks of no goal that are not over
-  ByteBook forgotten;             ///< 1 for tasks of no goal that are over
+  ByteBook forgotten;             ///< tasks of no goal that are over, or another executive's: 1, or
+                                  ///< kOursElsewhere
   Meetings meetings;              ///< what is known of partners and their plans
   TaskId next_id{1};
   bool more_settled = false;  ///< goals were settled since the last let_go_of_the_past()

@@ -92,7 +92,7 @@ void HandOver::forget_but(const std::set<TaskId>& kept) {
   }
   for (auto it = book_.loose.begin(); it != book_.loose.end();) {
     const bool there = kept.count(it->first) != 0;
-    if (!there) book_.forgotten.set(it->first.value(), 1);
+    if (!there) book_.forgotten.set(it->first.value(), it->second.ours ? kOursElsewhere : 1);
     it = there ? std::next(it) : book_.loose.erase(it);
   }
 }

@@ -94,7 +94,8 @@ void Observer::see_loose(const executive::TaskEvent& event) {
     const functional::TaskType& type = functional::TaskTypes::shipped().of(event.type);
     Loose& one = known != book_.loose.end() ? known->second : book_.loose[event.id];
     if (known == book_.loose.end()) {
-      one = {.type = event.type, .holds_vehicle = type.holds_vehicle()};
+      const bool ours = book_.forgotten.of(event.id.value()) == kOursElsewhere;
+      one = {.type = event.type, .ours = ours, .holds_vehicle = type.holds_vehicle()};
       one.leads_away =
           event.id < functional::kFirstPlayedId && type.motion == functional::Motion::kMoves;
     }

@@ -18,7 +18,11 @@ namespace skein::executive {
 struct Config {
   std::string name;  ///< of this UAV, as in senders and receivers
   TypeTable types = TypeTable::elementary();
-  std::optional<std::string> background_type;    ///< absent: no background routine
+  std::optional<std::string> background_type;  ///< absent: no background routine
+  /// A task of this type that nothing ends (no parameter `duration`, no exit conditions) is done
+  /// for want of anything else: once it is active DEP and NUT leave it out, and what is dispatched
+  /// and uses a resource of it interrupts it. Absent: there are none.
+  std::optional<std::string> idle_type = {};
   std::optional<Duration> functional_timeout;    ///< absent: wait for ever
   Duration urgent_wait = Duration::seconds(10);  ///< longest wait of a VUT task
   /// How long a partner's SyncWord::kThere is valid. A waiting UAV repeats its own after half of
