@@ -179,7 +179,7 @@ void Merging::ask() {
   }
   cut();
   functional::Request flight = waiting_->request;
-  if (place_ && !portions_ && core_.deliberation().possible())
+  if (place_ && !(portions_ && portions_->running) && core_.deliberation().possible())
     flight =
         led_around(flight, *core_.config().merging, situation(), *core_.deliberation().world());
   auto airways =

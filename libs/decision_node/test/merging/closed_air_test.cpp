@@ -54,7 +54,7 @@ TEST(MergingBesideClosedAir, WhoIsInClosedAirLeavesItAsideWhenSomebodyStaysWhere
 }
 
 // Found by random missions (--mixed 400069): its way was planned from where it stood before.
-TEST(MergingBesideClosedAir, WhoGotOutOfTheWayGoesAroundClosedAirToWhereItsNextWayBegins) {
+void expect_around_a_lid(const std::vector<double>& next_way) {
   world::Volume lid{"lid", {{20, -40}, {80, -40}, {80, 40}, {20, 40}}, 46, 200, {}};
   MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {-100, 0, 40}}}, 4, ContactPolicy::kContinue,
                   {lid});
@@ -62,13 +62,23 @@ TEST(MergingBesideClosedAir, WhoGotOutOfTheWayGoesAroundClosedAirToWhereItsNextW
   team.run(60);
   ASSERT_GT(team.state("marvin").position.z(), 46) << "it got out of the way upwards";
 
-  give_sweep(team, "marvin", goto_of(9, {100, 0, 40}));
-  for (int i = 0; i < 120; ++i) {
+  give_sweep(team, "marvin", goto_of(9, next_way));
+  for (int i = 0; i < 480 && !team.is_over("marvin", 9); ++i) {
     team.run(0.5);
     const world::Vector3& at = team.state("marvin").position;
     EXPECT_FALSE(world::crosses(lid, 0, at, at)) << at.transpose();
   }
   EXPECT_TRUE(team.is_over("marvin", 9));
+}
+
+TEST(MergingBesideClosedAir, WhoGotOutOfTheWayGoesAroundClosedAirToWhereItsNextWayBegins) {
+  expect_around_a_lid({100, 0, 40});
+}
+
+// Found by missions of an outsider (70).
+TEST(MergingBesideClosedAir, WhoGotOutOfTheWayGoesAroundClosedAirToASweepInPortionsToo) {
+  expect_around_a_lid(
+      {100, 0, 40, 100, 300, 40, 140, 300, 40, 140, 0, 40, 180, 0, 40, 180, 300, 40});
 }
 
 }  // namespace
