@@ -243,8 +243,8 @@ bool Merging::told(const functional::Status& status) {
     core_.post_status({portions_->task(), functional::TaskState::kRunning, ""});
   const std::optional<Flown>& flown = vehicle_.flown();
   if (flown && flown->airway.request.id == status.id && functional::is_terminal(status.state)) {
-    vehicle_.over(status.state == functional::TaskState::kEnded);
-    if (vehicle_.come_to_rest()) hold();
+    const bool left = vehicle_.over(status.state == functional::TaskState::kEnded);
+    if (vehicle_.come_to_rest() || left) hold();
     if (of_portion) portion_over(status);
     if (waiting_ && waiting_->airways.empty()) ask();
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "merging/vehicle_air.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace skein::decision_node {
@@ -16,6 +17,19 @@ merging::Volumes Flown::air() const {
   const merging::Volumes own = airway.way ? airway.way->left() : airway.air;
   all.insert(all.end(), own.begin(), own.end());
   return all;
+}
+
+bool Flown::stopped_at(double height, double within) {
+  if (airway.way) return false;
+  const merging::Volumes before = airway.air;
+  for (merging::Volume& column : airway.air) {
+    const double floor = std::max(column.floor, height - within);
+    const double ceiling = std::min(column.ceiling, height + within);
+    if (floor >= ceiling) continue;
+    column.floor = floor;
+    column.ceiling = ceiling;
+  }
+  return airway.air != before;
 }
 
 bool Flown::passed(const world::Vector3& position) {
@@ -40,9 +54,10 @@ void VehicleAir::begin(Flown flown) {
   rest_.reset();
 }
 
-void VehicleAir::over(bool ended) {
+bool VehicleAir::over(bool ended) {
   flown_->over = true;
   flown_->ended = ended;
+  return !ended && state().airborne && flown_->stopped_at(state().position.z(), margins_.slope);
 }
 
 bool VehicleAir::come_to_rest() {

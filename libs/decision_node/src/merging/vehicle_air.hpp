@@ -19,6 +19,9 @@ struct Flown {
   merging::Volumes behind = {};
 
   merging::Volumes air() const;
+  /// Of a takeoff or landing that was stopped or refused at that height it keeps the air there,
+  /// within so much. True: it has left some.
+  bool stopped_at(double height, double within);
   /// Notes the vehicle's position; true: it has left more of its way.
   bool passed(const world::Vector3& position);
   bool flies(functional::TaskId task) const { return !over && airway.request.id == task; }
@@ -33,8 +36,8 @@ class VehicleAir {
   /// True: it has left more of its way.
   bool see(const world::VehicleState& state);
   void begin(Flown flown);
-  /// The flight is over; `ended`: as it was meant to.
-  void over(bool ended);
+  /// The flight is over; `ended`: as it was meant to. True: it has left some of its air.
+  bool over(bool ended);
   /// Ends a flight that is over once the vehicle holds where it was to end, or stands still after
   /// it was stopped. A vehicle that circles keeps all of its way when it is stopped: nobody knows
   /// where it circles. False: it has not come to rest.
