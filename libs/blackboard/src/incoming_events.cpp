@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "outgoing_events.hpp"
+#include "tombstone.hpp"
 
 namespace skein::blackboard {
 namespace {
@@ -36,7 +36,17 @@ Novelty IncomingEvents::on_event(const wire::SampleHeader& header,
   if (open_ && sequence < next_) return handled_before(sequence);
   if (buffer_.size() >= kBufferLimit || (open_ && sequence - next_ >= kBufferLimit))
     return Novelty::kKnown;
+  if (event) keep_places_before(wire::header_of(*event));
   return buffer_.emplace(sequence, std::move(event)).second ? Novelty::kNew : Novelty::kKnown;
+}
+
+void IncomingEvents::keep_places_before(const wire::SampleHeader& tombstone) {
+  const std::uint64_t places = places_kept(tombstone.expires).value_or(1);
+  const std::uint64_t most =
+      std::min<std::uint64_t>({places, tombstone.sequence_number, kBufferLimit});
+  for (std::uint64_t place = tombstone.sequence_number - (most - 1);
+       place < tombstone.sequence_number; ++place)
+    if (!open_ || place >= next_) buffer_.try_emplace(place);
 }
 
 Novelty IncomingEvents::handled_before(std::uint64_t sequence) {
@@ -75,7 +85,7 @@ void IncomingEvents::deliver(ChannelKind kind, MissionTime now, std::vector<Inco
     const NodeNumber origin(header.origin);
     if (header.expires >= now.count()) {
       out.emplace_back(Received{origin, kind, std::move(*first->second)});
-    } else if (header.expires != kLongAgo) {
+    } else if (!places_kept(header.expires)) {
       out.emplace_back(EventExpired{wire::slot_of(*first->second), origin,
                                     NodeNumber(header.destination), header.sequence_number,
                                     header.incarnation});

@@ -59,6 +59,8 @@ class IncomingEvents {
 
  private:
   bool enter(std::uint64_t incarnation);
+  /// Of a tombstone: nobody waits for those that it tells of.
+  void keep_places_before(const wire::SampleHeader& tombstone);
   Novelty handled_before(std::uint64_t sequence);
 
   NodeNumber self_;

@@ -9,6 +9,7 @@
 
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/repeats.hpp"
+#include "tombstone.hpp"
 
 namespace skein::blackboard {
 
@@ -18,7 +19,7 @@ namespace {
 /// to carry.
 void bury(wire::Sample& event) {
   wire::SampleHeader header = std::move(wire::header_of(event));
-  header.expires = kLongAgo;
+  header.expires = tombstone_of(1);
   std::visit([](auto& sample) { sample = std::decay_t<decltype(sample)>(); }, event);
   wire::header_of(event) = std::move(header);
 }
@@ -41,15 +42,31 @@ void OutgoingEvents::recall(wire::Sample event, std::uint64_t receipt) {
 
 void OutgoingEvents::give_up(std::uint64_t sequence) {
   if (sequence < oldest() || sequence >= next_) return;
-  Held& event = held_[sequence - oldest()];
-  event.given_up = true;
-  bury(event.sample);
-  drop_given_up();
+  give_up(held_[sequence - oldest()]);
+  settle_tombstones();
 }
 
-void OutgoingEvents::drop_given_up() {
+void OutgoingEvents::give_up(Held& event) {
+  event.given_up = true;
+  bury(event.sample);
+}
+
+void OutgoingEvents::settle_tombstones() {
   const auto first = std::ranges::find(held_, false, &Held::given_up);
   drop_first(static_cast<std::size_t>(first - held_.begin()));
+  std::uint64_t places = 0;
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    places = held_[i].given_up ? std::min(places + 1, kMostPlaces) : 0;
+    if (places == 0 || is_told_by_next(i)) continue;
+    std::int64_t& expires = wire::header_of(held_[i].sample).expires;
+    if (expires == tombstone_of(places)) continue;
+    expires = tombstone_of(places);
+    held_[i].written.reset();  // with fewer places, if at all
+  }
+}
+
+bool OutgoingEvents::is_told_by_next(std::size_t index) const {
+  return held_[index].given_up && index + 1 < under_way() && held_[index + 1].given_up;
 }
 
 void OutgoingEvents::drop_first(std::size_t count) {
@@ -66,6 +83,7 @@ std::vector<std::uint64_t> OutgoingEvents::acknowledge(std::uint64_t sequence) {
   for (std::size_t i = 0; i < handled; ++i)
     if (held_[i].receipt != 0 && !held_[i].given_up) receipts.push_back(held_[i].receipt);
   drop_first(handled);
+  settle_tombstones();
   for (Held& event : held_) event.writings = std::min(event.writings, 1);
   return receipts;
 }
@@ -87,13 +105,12 @@ std::vector<EventExpired> OutgoingEvents::expire(MissionTime now) {
   for (Held& event : held_) {
     const wire::SampleHeader& header = wire::header_of(event.sample);
     if (event.given_up || header.expires >= now.count()) continue;
-    event.given_up = true;
     expired.push_back({wire::slot_of(event.sample), NodeNumber(header.origin),
                        NodeNumber(header.destination), header.sequence_number, header.incarnation,
                        event.receipt, event.may_have_arrived});
-    bury(event.sample);
+    give_up(event);
   }
-  drop_given_up();
+  if (!expired.empty()) settle_tombstones();
   return expired;
 }
 
@@ -112,6 +129,7 @@ std::optional<Duration> OutgoingEvents::again_at(std::size_t index, Duration rou
 }
 
 bool OutgoingEvents::is_due(std::size_t index, Now now, Duration round_trip) const {
+  if (is_told_by_next(index)) return false;
   const Held& event = held_[index];
   if (event.written) {
     const auto again = again_at(index, round_trip);
@@ -160,6 +178,7 @@ std::optional<MissionTime> OutgoingEvents::first_expiry() const {
 std::optional<Duration> OutgoingEvents::next_due(Duration round_trip) const {
   std::optional<Duration> next;
   for (std::size_t i = 0; i < under_way(); ++i) {
+    if (is_told_by_next(i)) continue;
     const auto at = held_[i].written ? again_at(i, round_trip) : Duration{};
     if (at) next = next ? std::min(*next, *at) : *at;
   }

@@ -3,17 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "skein/blackboard/blackboard.hpp"
 
 namespace skein::blackboard {
-
-/// When an event expires [ns] whose content is gone: it has expired behind one that still waits,
-/// and keeps its place in the sequence.
-inline constexpr std::int64_t kLongAgo = std::numeric_limits<std::int64_t>::min();
 
 /// Keeps every event until the peer has acknowledged it or it has expired, and decides what is
 /// written when. At most kEventDepth events are under way at once, which every transport keeps; the
@@ -26,7 +21,8 @@ inline constexpr std::int64_t kLongAgo = std::numeric_limits<std::int64_t>::min(
 ///
 /// An expired event leaves at once if it is the oldest. Behind an older one that still waits, it
 /// stays as a tombstone, empty and expired long ago, so that the peer sees no gap it would have to
-/// wait for.
+/// wait for. Of such events in a row only the last is written, for all of them: a cut on a narrow
+/// channel leaves dozens, and what still counts waits behind them.
 class OutgoingEvents {
  public:
   static constexpr std::size_t kAgainAtOnce = 8;
@@ -85,7 +81,10 @@ class OutgoingEvents {
     bool given_up = false;
     std::uint64_t receipt = 0;
   };
-  void drop_given_up();
+  void give_up(Held& event);
+  /// The tombstones at the front are gone; of others in a row the last one stands for all.
+  void settle_tombstones();
+  bool is_told_by_next(std::size_t index) const;
   void drop_first(std::size_t count);
   void write(Held& event, Duration at);
   bool is_due(std::size_t index, Now now, Duration round_trip) const;

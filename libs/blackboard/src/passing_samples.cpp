@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "outgoing_events.hpp"
 #include "skein/blackboard/transport.hpp"
 #include "skein/foundation/contract.hpp"
+#include "tombstone.hpp"
 
 namespace skein::blackboard {
 namespace {
@@ -48,7 +48,7 @@ void PassingSamples::drop_one() {
 void PassingSamples::drop_expired(MissionTime now) {
   const auto has_expired = [now](const wire::Sample& one) {
     const std::int64_t expires = wire::header_of(one).expires;
-    return expires < now.count() && expires != kLongAgo;
+    return expires < now.count() && !places_kept(expires);
   };
   for (auto& [ends, pair] : pairs_) events_ -= std::erase_if(pair.events, has_expired);
   forget_empty();

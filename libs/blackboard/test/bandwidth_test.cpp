@@ -152,9 +152,10 @@ class SlowRadio {
     run_until(Duration::milliseconds(3'000));
   }
 
-  void send(wire::Sample sample) {
+  void send(wire::Sample sample, MissionTime expires = MissionTime::max()) {
     if (auto* event = std::get_if<wire::TaskEvent>(&sample)) sent_[event->id] = time();
-    EXPECT_TRUE(boards_[kUav.number].send(std::move(sample), kGround.number, boards_.now()));
+    EXPECT_TRUE(
+        boards_[kUav.number].send(std::move(sample), kGround.number, boards_.now(), {expires}));
     boards_.settle();
   }
   void run_until(Duration until) { boards_.run_until(until); }
@@ -163,6 +164,7 @@ class SlowRadio {
                           {up, Duration::milliseconds(20), 0, capacity_});
   }
   Duration time() const { return boards_.time(); }
+  MissionTime mission_time() const { return boards_.now().mission; }
   std::uint64_t shed() { return boards_[kUav.number].shed(kGround.number); }
   bool both_reach() {
     return boards_[kUav.number].reachable(kGround.number) &&
@@ -291,6 +293,28 @@ TEST(SlowRadio, WhatIsBeingTransmittedWhenTheLinkGoesDownIsLostAndAnEventComesOn
   radio.set_up(true);
   after(3'000);
   EXPECT_THAT(radio.events, ElementsAre(1));
+}
+
+TEST(SlowRadio, WhatStillCountsAfterACutDoesNotWaitForEachThatExpired) {
+  SlowRadio radio(9'600);
+  const auto after = [&](int milliseconds) {
+    radio.run_until(radio.time() + Duration::milliseconds(milliseconds));
+  };
+  radio.set_up(false);
+  for (std::uint64_t id = 1; id <= 41; ++id) {
+    const MissionTime soon = radio.mission_time() + Duration::milliseconds(2'000);
+    radio.send(task_event(id), id % 8 == 1 ? MissionTime::max() : soon);
+    after(250);
+  }
+  after(2'500);
+
+  radio.set_up(true);
+  const Duration healed = radio.time();
+  while (radio.events.size() < 6 && radio.time() < healed + Duration::milliseconds(60'000))
+    after(10);
+
+  EXPECT_THAT(radio.events, ElementsAre(1, 9, 17, 25, 33, 41));
+  EXPECT_LE((radio.time() - healed).to_seconds(), 3.5);
 }
 
 TEST(SlowRadio, WhatIsTransmittedWhenTheLinkGoesDownArrives) {

@@ -6,6 +6,7 @@
 #include "freshness.hpp"
 #include "incoming_events.hpp"
 #include "outgoing_events.hpp"
+#include "tombstone.hpp"
 
 namespace skein::blackboard {
 namespace {
@@ -161,6 +162,32 @@ TEST(IncomingEvents, WhatExpiredIsReportedAndATombstoneIsNot) {
   EXPECT_EQ(receiver.count<EventExpired>(), 1U);
 }
 
+TEST(IncomingEvents, ATombstoneStandsForThoseRightBeforeIt) {
+  Receiver receiver;
+  receiver.on_heartbeat(heartbeat(1));
+
+  for (const std::uint64_t sequence : {1, 3, 7}) receiver.on_event(event(sequence));
+  receiver.on_event(event(6, tombstone_of(3)));
+  EXPECT_THAT(receiver.delivered(), ElementsAre(1)) << "2 may come yet";
+  receiver.on_event(event(2));
+
+  EXPECT_THAT(receiver.delivered(), ElementsAre(1, 2, 3, 7));
+  EXPECT_EQ(receiver.count<EventsLost>(), 0U);
+}
+
+TEST(IncomingEvents, ATombstoneOfMorePlacesThanThereAreIsHarmless) {
+  for (const std::uint64_t places : {std::uint64_t(4), std::uint64_t(100), kMostPlaces}) {
+    Receiver receiver;
+    receiver.on_heartbeat(heartbeat(1));
+
+    receiver.on_event(event(1));
+    receiver.on_event(event(3, tombstone_of(places)));
+    receiver.on_event(event(4));
+
+    EXPECT_THAT(receiver.delivered(), ElementsAre(1, 4));
+  }
+}
+
 TEST(IncomingEvents, AMalformedEventHoldsNobodyUp) {
   Receiver receiver;
   receiver.on_heartbeat(heartbeat(1));
@@ -257,6 +284,35 @@ TEST(OutgoingEvents, WhatExpiresBehindAnOlderOneStaysAsATombstone) {
   sender.events.acknowledge(1);
   EXPECT_TRUE(sender.events.expire(sender.mission).empty());
   EXPECT_EQ(sender.events.size(), 0U);
+}
+
+// A cut on a narrow channel leaves dozens, and what still counts waits behind them.
+TEST(OutgoingEvents, OfTombstonesInARowTheLastIsWrittenForAll) {
+  Sender sender;
+  sender.hold();
+  for (int i = 0; i < 5; ++i) sender.hold(50);
+  sender.hold();
+  sender.mission = MissionTime::nanoseconds(51);
+
+  EXPECT_EQ(sender.events.expire(sender.mission).size(), 5U);
+
+  EXPECT_THAT(sender.due(0), ElementsAre(1, 6, 7));
+}
+
+TEST(OutgoingEvents, ATombstoneThatTellsOfMoreIsWrittenAgain) {
+  Sender sender;
+  sender.hold();
+  sender.hold(90);
+  sender.hold(50);
+  sender.hold();
+  sender.mission = MissionTime::nanoseconds(51);
+  sender.events.expire(sender.mission);
+  EXPECT_THAT(sender.due(0), ElementsAre(1, 2, 3, 4));
+  sender.mission = MissionTime::nanoseconds(91);
+
+  sender.events.expire(sender.mission);
+
+  EXPECT_THAT(sender.due(0), ElementsAre(3)) << "for 2 and 3";
 }
 
 TEST(Freshness, TheNewestByIncarnationThenSequenceWins) {
