@@ -66,12 +66,15 @@ bool may_be_sold_to(const History& history, const std::string& uav, double from)
   return 2 * heard > voters;
 }
 
-// Somebody is there to sell to, to the end.
+// To the end.
+bool bids(const History& history, const std::pair<const std::string, Uav>& uav, double since) {
+  return uav.second.degree(history.end) >= 5 && !out_of_contact(uav.second) &&
+         may_be_sold_to(history, uav.first, since);
+}
+
 bool somebody_bids(const History& history, double since) {
-  return std::any_of(history.uavs.begin(), history.uavs.end(), [&](const auto& each) {
-    return each.second.degree(history.end) >= 5 && !out_of_contact(each.second) &&
-           may_be_sold_to(history, each.first, since);
-  });
+  return std::any_of(history.uavs.begin(), history.uavs.end(),
+                     [&](const auto& each) { return bids(history, each, since); });
 }
 
 // Since when who has it has left it, by its contact-loss policy, and nobody told it to go on.
@@ -197,11 +200,21 @@ std::vector<Violation> team_tasks_begun_twice(const History& history) {
   return result;
 }
 
-// The ground station has been in reach of one that bids for as long as a sale takes.
+// The ground station has been in reach of it for as long as a sale takes.
+bool is_heard(const History& history, const std::string& uav, double since) {
+  return history.joint.up_for(uav, "ground", since, history.end) > kSold;
+}
+
 bool could_be_given(const History& history, double since) {
   return std::any_of(history.uavs.begin(), history.uavs.end(), [&](const auto& each) {
-    return each.second.degree(history.end) >= 5 &&
-           history.joint.up_for(each.first, "ground", since, history.end) > kSold;
+    return each.second.degree(history.end) >= 5 && is_heard(history, each.first, since);
+  });
+}
+
+// What others sell beyond its reach the ground station cannot know.
+bool a_sale_is_heard(const History& history, double since) {
+  return std::any_of(history.uavs.begin(), history.uavs.end(), [&](const auto& each) {
+    return bids(history, each, since) && is_heard(history, each.first, since);
   });
 }
 
@@ -217,12 +230,12 @@ std::vector<Violation> team_tasks_without_owner(const History& history) {
     const double since = std::max(last.at, whole);
     const auto left = left_off(history, last);
     const double left_since = std::min(std::max(left.value_or(kNever), whole), history.end);
-    if (history.joint.up_for(last.owners, "ground", left_since, history.end) > kSold)
+    if (is_heard(history, last.owners, left_since))
       result.push_back({"", history.end, last.owners, 0,
                         named(number) + " is kept by one that left it at " + figure(*left) +
                             " s by its contact-loss policy"});
     if (last.stage != "for-sale" || history.end - since < kSold) continue;
-    if (!somebody_bids(history, since)) continue;
+    if (!a_sale_is_heard(history, since)) continue;
     result.push_back({"", history.end, "", 0,
                       named(number) + " has no owner for " + figure(history.end - since) +
                           " s after the network was whole: " + last.why});

@@ -188,6 +188,18 @@ TEST(TeamOwned, WhoIsOutOfReachOfMostCannotBeSoldTo) {
   EXPECT_THAT(last_heard(90), SizeIs(1));
 }
 
+// Found by random missions (--anything --deaths 1001): it sold them, out of the station's reach.
+TEST(TeamOwned, WhatIsSoldBeyondTheGroundStationsReachItCannotKnow) {
+  const auto last_heard = [](double at) {
+    Story story;
+    story.degree("marvin", 0, 5).owner(20, 11, "for-sale", 0, "", "put back by marvin");
+    story.link(at, "marvin", "ground", false).stands("heliv", 0, 1).stands("marvin", 0, 200);
+    return story.broken("team-owned");
+  };
+  EXPECT_THAT(last_heard(30), IsEmpty());
+  EXPECT_THAT(last_heard(90), SizeIs(1));
+}
+
 // Found by random missions (--anything 14): all homes were beyond the radio's range.
 TEST(TeamOwned, AMissionThatNobodyWhoBidsCouldBeGivenIsNotSold) {
   const auto given = [](double heard) {
