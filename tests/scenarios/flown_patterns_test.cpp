@@ -144,6 +144,37 @@ TEST(FlownSweeps, SeeTheWholeZone) {
   EXPECT_GE(swept, 12);
 }
 
+/// A plane of 18 m/s whose camera sees 27 m to each side from 40 m up: it turns wider than that.
+world::VehicleModel low_plane() {
+  auto plane = vehicle_of("scenarios/comets/models/karma.yaml");
+  plane.min_speed = 12;
+  plane.cruise_speed = 18;
+  plane.max_speed = 25;
+  plane.climb_rate = 4;
+  plane.descent_rate = 3;
+  plane.acceleration = 3;
+  plane.min_turn_radius = 40;
+  plane.orbit_radius = 60;
+  plane.sensors.front().aperture = 0.6;
+  return plane;
+}
+
+// Found by missions of an outsider (70): closed air left little room before its first lane, and of
+// flights that came there from anywhere one saw 97 % of it.
+TEST(FlownSweeps, OfAPlaneWithAShortRunInLeaveNoGapsHoweverItComes) {
+  const auto plane = low_plane();
+  const world::Zone zone{"zone", {{-126, -203}, {8, -203}, {8, 3}, {-126, 3}}};
+  world::World world = world_of("scenarios/domains/seeds.yaml");
+  world.wind = {0.5, 4, 0.8};
+  world.volumes = {{"smoke", {{-108, 159}, {70, 159}, {70, 203}, {-108, 203}}, 0, 200, {}}};
+  Refinery refinery = refinery_of(world, plane, 40);
+  for (const Vector3& from : {Vector3(-117, 112, 40), Vector3(0, 60, 40), Vector3(90, 20, 40)}) {
+    const auto sweep = refinery.sweeps.over(from, zone, plane.sensors.front());
+    ASSERT_TRUE(sweep) << sweep.error();
+    EXPECT_GE(sweep->seen, 0.99) << from.transpose();
+  }
+}
+
 // A fast helicopter swings out by two dozen metres where it turns into a lane.
 TEST(FlownSweeps, OfOneThatHoversLeaveNoGapsWhereItTurns) {
   const auto swift = vehicle_of("scenarios/area-sharing/models/swift.yaml");

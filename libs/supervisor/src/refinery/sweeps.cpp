@@ -31,7 +31,9 @@ constexpr double kLaneSpacing = 2.5;  // turn radii between way-points along lan
 constexpr int kJoined = 2;            // way-points that bring one that hovers back on its lane
 constexpr double kMostCells = 200;    // along a side of its box
 constexpr double kSeenEnough = 0.998;
-constexpr double kSureShare = 1.4;  // deviations by which it may see less far
+constexpr double kSeenMost = 0.99;         // with less, lanes are flown nearer to each other
+constexpr double kWorthMoreLanes = 0.004;  // of a zone
+constexpr double kSureShare = 1.4;         // deviations by which it may see less far
 
 /// How far to the side of it a sensor sees for sure, over level ground `altitude` below it [m].
 struct Reach {
@@ -152,7 +154,7 @@ Answer<Sweeps::Lanes> Sweeps::planned(const world::World& world, const Vector3& 
   query.altitude = std::min(gazetteer().knowledge().altitude, vehicle().ceiling);
   const auto width = footprint(device, query.altitude);
   if (!width) return no(width.error());
-  query.swath = swath_of(*width, vehicle(), care.overlap);
+  query.swath = care.share * swath_of(*width, vehicle(), care.overlap);
   query.start = gazetteer().flown_to(from);
   query.depart = air_.origin();
   auto refined = refine(query, air_.setting(world));
@@ -247,6 +249,18 @@ Answer<Sweeps::Lanes> Sweeps::best(const Counted& air, const Vector3& from, cons
     }
   }
   if (best.way.empty()) return no(why);
+  return swings_ || best.seen >= kSeenMost ? best
+                                           : narrowed(std::move(best), local, from, zone, device);
+}
+
+Sweeps::Lanes Sweeps::narrowed(Lanes wide, const world::World& world, const Vector3& from,
+                               const world::Zone& zone, const world::SensorModel& device) const {
+  Lanes best = std::move(wide);
+  for (const double share : {0.85, 0.7, 0.55}) {
+    if (best.seen >= kSeenMost) break;
+    auto lanes = planned(world, from, zone, device, {4, vehicle().hovers, share});
+    if (lanes && lanes->seen > best.seen + kWorthMoreLanes) best = std::move(*lanes);
+  }
   return best;
 }
 

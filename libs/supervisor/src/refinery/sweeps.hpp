@@ -51,10 +51,12 @@ class Sweeps {
     refiners::Way way;
     double seen = 0;  ///< part of the zone seen, the least over all initial poses
   };
-  /// `overlap`: as in swath_of(); `joins`: a vehicle that hovers is led back on each lane.
+  /// `overlap`: as in swath_of(); `joins`: a vehicle that hovers is led back on each lane; `share`:
+  /// of the distance between two lanes with that overlap.
   struct Care {
     double overlap = 1;
     bool joins = false;
+    double share = 1;
   };
   void fly_along(refiners::Way& way, const world::Vector3& to, bool joins) const;
   refiners::Way lanes_flown(const refiners::Coverage& task, const world::World& world,
@@ -64,6 +66,10 @@ class Sweeps {
                         const Care& care) const;
   Answer<Lanes> best(const Counted& air, const world::Vector3& from, const world::Zone& zone,
                      const world::SensorModel& device, double margin) const;
+  /// With lanes so near to each other that hills, turns and short run-ins leave no gaps, where
+  /// those of `wide` leave some; else `wide`.
+  Lanes narrowed(Lanes wide, const world::World& world, const world::Vector3& from,
+                 const world::Zone& zone, const world::SensorModel& device) const;
   Answer<Motion> over_in(const Counted& air, const world::Vector3& from, const world::Zone& zone,
                          const world::SensorModel& device) const;
   Answer<Motion> rest_in(const Counted& air, const refiners::Way& way,
