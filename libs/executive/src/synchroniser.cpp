@@ -66,6 +66,17 @@ bool Synchroniser::begin(TaskId task, const Synchronisation& synchronisation, Mi
   return false;
 }
 
+bool Synchroniser::met_before(const Synchronisation& synchronisation) const {
+  const auto heard = heard_.find(synchronisation.id);
+  if (heard == heard_.end()) return false;
+  return std::all_of(synchronisation.senders.begin(), synchronisation.senders.end(),
+                     [&](const std::string& sender) {
+                       const auto one = heard->second.find(sender);
+                       return sender == own_ ||
+                              (one != heard->second.end() && one->second.word == SyncWord::kDone);
+                     });
+}
+
 // A late message is older than what is known; of one instant the later arrival counts.
 std::vector<TaskId> Synchroniser::received(const SyncReceived& message, MissionTime now) {
   std::vector<TaskId> complete;

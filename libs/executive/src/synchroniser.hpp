@@ -30,6 +30,8 @@ class Synchroniser {
   /// From now on the task waits for its senders, and its own messages are repeated on demand
   /// (missed_by()). True if no sender is awaited any more.
   bool begin(TaskId task, const Synchronisation& synchronisation, MissionTime now);
+  /// Whether all its senders have said that they have synchronised.
+  bool met_before(const Synchronisation& synchronisation) const;
   /// The tasks that this message completes, in the order of their ids.
   std::vector<TaskId> received(const SyncReceived& message, MissionTime now);
   /// The tasks that wait, and for whom, in the order of the synchronisations.

@@ -298,6 +298,19 @@ TEST(SyncValidity, WhatWasSaidTooLongAgoDoesNotCountUnlessItIsDone) {
   }
 }
 
+TEST(SyncValidity, WhatIsOverAlreadyIsNotWaitedForAndThatIsSaid) {
+  Mission mission = with_validity();
+  mission.start(rendezvous(1));
+  mission.at(1).give(SyncReceived{551, "heliv", SyncWord::kDone});
+  EXPECT_THAT(mission.notices, IsEmpty());
+
+  mission.at(22).start(rendezvous(2));
+
+  EXPECT_EQ(mission.state_of(2), kEnded);
+  EXPECT_THAT(mission.notices, ElementsAre("task 2: synchronisation 551 is over already, and is "
+                                           "not waited for again"));
+}
+
 TEST(SyncValidity, AMessageThatWasLongOnItsWayIsAsOldAsItIs) {
   Mission mission = with_validity();
   mission.start(rendezvous(1));

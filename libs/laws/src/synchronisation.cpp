@@ -43,7 +43,7 @@ bool both_ways(const mission::HighLevelTask& task) {
 }
 
 /// When the synchronisations of a goal were under way, the rendezvous first.
-std::vector<const Execution*> synchronisations(const Uav& uav, std::int64_t goal) {
+std::vector<const Execution*> synchronisations_of(const Uav& uav, std::int64_t goal) {
   std::vector<const Execution*> result;
   for (const auto& [task, execution] : uav.executions) {
     const bool sync = execution.type == "synchronise" || execution.type == "rendezvous";
@@ -54,19 +54,27 @@ std::vector<const Execution*> synchronisations(const Uav& uav, std::int64_t goal
   return result;
 }
 
-// At some time: one that was interrupted after the partner was there counts, since what the partner
-// then says, that it has synchronised, counts for ever.
-bool together(const Uav& uav, const Goal& goal, const Uav& other, double id) {
+/// Of all goals that have the meeting.
+std::vector<const Execution*> synchronisations(const Uav& uav, double meeting) {
+  std::vector<const Execution*> result;
+  for (const auto& [id, goal] : uav.goals) {
+    const auto one = meeting_of(uav, goal.task);
+    if (!one || one->id != meeting) continue;
+    for (const Execution* each : synchronisations_of(uav, id)) result.push_back(each);
+  }
+  return result;
+}
+
+// At some time: one that was interrupted after the partner was there counts, and so does one whose
+// mission is given again, since what the partner then says, that it has synchronised, counts for
+// ever.
+bool together(const Uav& uav, const Uav& other, double meeting, double until) {
   constexpr double kMoment = 2;  // [s] radio and telling
-  for (const auto& [theirs, their_goal] : other.goals) {
-    const auto meeting = meeting_of(other, their_goal.task);
-    if (!meeting || meeting->id != id) continue;
-    for (const Execution* a : synchronisations(uav, goal.id)) {
-      for (const Execution* b : synchronisations(other, theirs)) {
-        if (a->started <= b->over + kMoment && b->started <= a->over + kMoment) {
-          return true;
-        }
-      }
+  const auto theirs = synchronisations(other, meeting);
+  for (const Execution* a : synchronisations(uav, meeting)) {
+    for (const Execution* b : theirs) {
+      const bool meet = a->started <= b->over + kMoment && b->started <= a->over + kMoment;
+      if (meet && std::max(a->started, b->started) <= until + kMoment) return true;
     }
   }
   return false;
@@ -137,7 +145,7 @@ std::vector<Violation> synchronisations_apart(const History& history) {
       const auto partner = history.uavs.find(name);
       const bool judged = name != uav.name() && partner != history.uavs.end() &&
                           !history.was_killed(name) && !partner->second.goals.empty();
-      if (!judged || together(uav, goal, partner->second, meeting->id)) continue;
+      if (!judged || together(uav, partner->second, meeting->id, at)) continue;
       result.push_back({"", at, uav.name(), goal.id,
                         mission::to_text(goal.task) + " is achieved: " + name +
                             " was never in this synchronisation at the same time"});

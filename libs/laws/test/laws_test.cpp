@@ -318,6 +318,22 @@ TEST(Synchronised, AMeetingThatWasInterruptedWasOneAllTheSame) {
   EXPECT_THAT(heard_later(390), SizeIs(1));
 }
 
+// Found by random missions (--anything --minds 112): the number of a meeting is met once.
+TEST(Synchronised, AMissionThatIsGivenAgainOnceBothHaveMetWaitsForNobody) {
+  const auto again = [](double other_from) {
+    Story story = meeting(other_from, 400, "ended");
+    story.goal("marvin", 90010, "wait-until-synchro 500 (heliv marvin) (heliv marvin)", "received",
+               500);
+    story.does("marvin", {901, "synchronise", 90010, 600, 600, "ended"});
+    story.goal("marvin", 90010, "wait-until-synchro 500 (heliv marvin) (heliv marvin)", "achieved",
+               600);
+    return story.broken("synchronised");
+  };
+
+  EXPECT_THAT(again(305), IsEmpty());
+  EXPECT_THAT(again(390), SizeIs(2)) << "neither time";
+}
+
 TEST(PartnersApart, PartnersAreNotSentToOnePoint) {
   const auto together = [](const std::string& statement) {
     Story story;
