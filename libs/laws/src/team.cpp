@@ -89,9 +89,10 @@ std::optional<double> left_off(const History& history, const TeamStanding& stand
   return since;
 }
 
-// Takes part all that time, and what it says is heard.
+// Takes part all that time, and what it says in the last of it the ground station hears.
 bool takes_part(const History& history, const Uav& uav, double from, double until) {
   if (healed(history) > from || uav.degree(from) < 5 || out_of_contact(uav)) return false;
+  if (history.joint.up_for(uav.name(), "ground", until - kHeard, until) < kHeard) return false;
   return std::none_of(uav.degrees.begin(), uav.degrees.end(),
                       [&](const auto& one) { return from < one.first && one.first <= until; });
 }

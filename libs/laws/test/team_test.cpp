@@ -324,6 +324,17 @@ TEST(TeamLate, ItIsTheFirstPlanThatPromises) {
   EXPECT_THAT(story.broken("team-late"), SizeIs(1));
 }
 
+// Found by random missions (--anything --minds 132): it had flown out of the station's reach.
+TEST(TeamLate, WhatIsPutBackBeyondTheGroundStationsReachItCannotKnow) {
+  const auto in_reach_from = [](double at) {
+    Story story = at_work();
+    story.link(40, "marvin", "ground", false).link(at, "marvin", "ground", true);
+    return story.broken("team-late");
+  };
+  EXPECT_THAT(in_reach_from(90), IsEmpty());
+  EXPECT_THAT(in_reach_from(70), SizeIs(1));
+}
+
 TEST(TeamLate, WhoseDegreeIsLoweredIsJudgedByOtherLaws) {
   Story story = at_work();
   story.degree("marvin", 65, 4);
