@@ -44,6 +44,7 @@ std::optional<MissionTime> Core::next_wakeup() const {
 void Core::on(const Started& started) {
   partners_.start(bus_.now());
   merging_.begin(started);
+  deliberation_.begin(started);
   interaction_.start();
   autonomy_.start();
   team_.start();

@@ -86,6 +86,10 @@ void Deliberation::place_told(const mission::ChangeWorld& told) {
   tell(supervisor::WorldChanged{told});
 }
 
+void Deliberation::begin(const Started& started) {
+  if (!started.first_life) tell(supervisor::LivesAgain{});
+}
+
 void Deliberation::time_passes() { tell(supervisor::Tick{}); }
 
 std::optional<MissionTime> Deliberation::next_wakeup() const {

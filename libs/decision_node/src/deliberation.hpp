@@ -23,6 +23,7 @@ class Deliberation final : public Component {
   void task_changed(const executive::TaskEvent& event) override;
   void vehicle_told(const world::Telemetry& telemetry) override;
   void place_told(const mission::ChangeWorld& told) override;
+  void begin(const Started& started);
   void time_passes() override;
   std::optional<MissionTime> next_wakeup() const override;
 

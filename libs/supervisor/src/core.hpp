@@ -39,6 +39,7 @@ class Supervisor::Core {
   void on(const JointTaskAnswered& input);
   void on(const PartnersSeen& input);
   void on(const OrdersSeen& input);
+  void on(const LivesAgain&);
   void on(const Tick&) {}
 
   void tell_frontier();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/supervisor/supervisor.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "book/past.hpp"
@@ -23,6 +24,9 @@ const mission::PlanReport& Supervisor::report() const { return core_->report(); 
 std::shared_ptr<const world::World> Supervisor::world() const { return core_->world(); }
 
 namespace {
+
+/// So many numbers a second are more than are used, however often all is planned anew.
+constexpr std::int64_t kNumbersInSecond = 100;
 
 /// Of those that are settled, for reports and for what a long cut of the radio hid.
 constexpr Kept kKept = {64, 16};
@@ -105,6 +109,14 @@ void Supervisor::Core::on(const OrdersSeen& input) {
   if (book_.meetings.air == input.orders) return;
   book_.meetings.air = input.orders;
   if (engaged()) contingencies_.check_meetings();
+}
+
+void Supervisor::Core::on(const LivesAgain&) {
+  const std::int64_t passed = std::max<std::int64_t>(now().count(), 0);
+  const auto used =
+      static_cast<std::uint64_t>(passed / (Duration::seconds(1).count() / kNumbersInSecond));
+  book_.next_id = std::max(book_.next_id, TaskId(config_.first_id.value() + used));
+  own_goals_.number_beyond(used);
 }
 
 void Supervisor::Core::on(const Engage& input) {

@@ -206,6 +206,19 @@ TEST(SupervisorHandOver, NewTasksWaitForWhatTheGroundHasStarted) {
   EXPECT_EQ(waits[1][0].condition, executive::Condition(executive::TaskInState{TaskId{101}}));
 }
 
+// Found by missions of an outsider (247): the vehicle said how the task of that number had ended
+// before, and the goal counted as achieved.
+TEST(SupervisorLives, OneThatMayHaveLivedBeforeNumbersItsTasksBeyondThoseOfThatLife) {
+  Desk first = Desk::engaged(), again = Desk::engaged();
+  for (Desk* desk : {&first, &again}) {
+    desk->at(477);
+    if (desk == &again) desk->give(LivesAgain{});
+    desk->add(a_mission(1, {701}));
+  }
+  EXPECT_EQ(first.insertion().base.situation.next_id, TaskId{100});
+  EXPECT_EQ(again.insertion().base.situation.next_id, TaskId{100 + 47'700});
+}
+
 // Found by missions of an outsider (249): its plan waited behind it until its energy was used up.
 TEST(SupervisorHandOver, ASafeWaitThatComesBackEndsWhenOrdersCome) {
   Desk desk = under_way();

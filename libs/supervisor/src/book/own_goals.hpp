@@ -3,6 +3,7 @@
 // others.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -23,6 +24,8 @@ class OwnGoals {
   /// A new goal, not entered in the book yet; absent if the domain does not declare the task.
   std::optional<mission::HighLevelTask> next(std::string_view name) const;
   GoalId enter(const mission::HighLevelTask& task);
+  /// So many may have been entered in a life of which nothing is known.
+  void number_beyond(std::uint64_t given) { given_ = std::max(given_, given); }
 
  private:
   const Knowledge& knowledge_;

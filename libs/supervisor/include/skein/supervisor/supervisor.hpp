@@ -92,11 +92,15 @@ struct PartnersSeen {
 struct OrdersSeen {
   AirOrders orders;
 };
+/// There may have been a life before this one, of which nothing is known here: what is numbered
+/// from now on begins at a number by the instant, which that life did not come to. A vehicle tells
+/// of a task that it knows how that ended, and does not do it again.
+struct LivesAgain {};
 struct Tick {};
 
 using Input = std::variant<AddMission, CancelMission, Disengage, Engage, WorldChanged, TaskSeen,
                            RequestAnswered, VehicleSeen, JobFinished, JointTaskDue,
-                           JointTaskAnswered, PartnersSeen, OrdersSeen, Tick>;
+                           JointTaskAnswered, PartnersSeen, OrdersSeen, LivesAgain, Tick>;
 
 // ---- effects ----
 
