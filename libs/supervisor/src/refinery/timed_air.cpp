@@ -217,7 +217,11 @@ bool TimedAir::may_stay(const Vector3& at) {
     const Vector3 beside = at + radius * Vector3(std::cos(angle), std::sin(angle), 0);
     if (!(*air)->is_free(in_airspace(beside))) return false;
   }
-  return true;
+  // A corner comes between two of these.
+  const Volumes volumes = closed(counted({}, 0));
+  return std::none_of(volumes.begin(), volumes.end(), [&](const auto& volume) {
+    return is_near(volume, at, vehicle().body_radius + radius);
+  });
 }
 
 bool TimedAir::may_stay(const Vector3& at, const Departure& when, double seconds) const {

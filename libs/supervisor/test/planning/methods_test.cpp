@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flight/closed_air.hpp"
+#include "flight/flight_times.hpp"
 #include "testing/planned.hpp"
 #include "testing/planning_lab.hpp"
 
@@ -315,6 +317,27 @@ TEST(PlanningMethods, WhereTheGroundRisesBesideALaneLanesAreCloser) {
   };
 
   EXPECT_LT(lane_count({}), lane_count({{{700, 650}, 60, 120}}));
+}
+
+// Found by missions of an outsider (368): a corner of the volume was between the places of its
+// circle that were asked for, so it stayed for good, and said that it leaves once a minute.
+TEST(PlanningMethods, WhoCannotHoverLeavesClosedAirFarEnoughForAllOfItsCircle) {
+  const world::Volume smoke{"smoke", {{-152, 0}, {0, 0}, {0, 46}, {-152, 46}}, 0, 178, {}};
+  for (double x = 0; x <= 49; x += 7) {
+    PlanningLab lab = flying();
+    lab.vehicle(testing::vehicle_of("scenarios/comets/models/karma.yaml"));
+    lab.knowledge.vehicle.orbit_radius = 60;
+    lab.knowledge.vehicle.min_turn_radius = 40;
+    lab.knowledge.vehicle.position_precision = 1;
+    lab.knowledge.vehicle.wind_drift = 0.1;
+    const Vector3 at(x, -std::sqrt(58 * 58 - x * x), 80);
+    lab.flying_at(at);
+    lab.world.volumes = {smoke};
+    lab.task(1, "leave-closed-air", {});
+    const auto plan = planned(lab);
+    const Vector3 stays = plan.tasks.empty() ? at : plan.tasks.back().way.back();
+    EXPECT_FALSE(is_near(smoke, stays, stay_radius(lab.knowledge.vehicle))) << x;
+  }
 }
 
 TEST(PlanningMethods, AJointTaskTakesItsDurationAtLeastAndLeavesTheVehicleOverTheControlCentre) {
