@@ -66,6 +66,11 @@ class ForeignWriters : public ::testing::TestWithParam<Pair> {
     auto opened = Blackboard::open(std::move(settings), *transport_);
     if (opened) ground_ = std::make_unique<Blackboard>(std::move(*opened));
   }
+  /// Nobody arrives any more when what is woken by it is gone.
+  ~ForeignWriters() override {
+    ground_.reset();
+    transport_.reset();
+  }
   void SetUp() override { ASSERT_NE(ground_, nullptr); }
 
   std::unique_ptr<ForeignWriter> writer(wire::Slot topic, wire::Slot type) const {
