@@ -383,8 +383,12 @@ Vantage Team::vantage() {
   }
   vantage.visits = visits_;
   const mission::PlanReport& report = core_.deliberation().report();
-  if (const auto dates = job_ ? dates_of(report, job_->goal) : std::nullopt) {
-    const double lasts = member_->ledger().entries.at(job_->claim.task).task.duration;
+  // A later ledger may be without the task that is under way: then it is work of the UAV's own.
+  const auto& entries = member_->ledger().entries;
+  const auto job = job_ ? entries.find(job_->claim.task) : entries.end();
+  const bool is_the_teams = job != entries.end();
+  if (const auto dates = is_the_teams ? dates_of(report, job_->goal) : std::nullopt) {
+    const double lasts = job->second.task.duration;
     const Duration left = dates->earliest_end - vantage.now - Duration::seconds(lasts);
     const double cruise = vantage.knowledge->vehicle.cruise_speed;
     const double speed = std::max(telemetry_.state.velocity.norm(), cruise / kMostSlowly);
@@ -392,7 +396,7 @@ Vantage Team::vantage() {
                                    lateness_.told() ? std::max(1.0, cruise / speed) : 1};
   }
   for (const mission::PlannedTask& planned : report.tasks) {
-    if (job_ && planned.task.origin == job_->goal) continue;
+    if (is_the_teams && planned.task.origin == job_->goal) continue;
     const Duration left = planned.dates.earliest_end - vantage.now;
     vantage.busy = std::max(vantage.busy, left);
   }
