@@ -62,9 +62,9 @@ std::vector<ExternalArc> of_syncs(const Chronology& story, const MeetingRows& ro
 std::vector<ExternalArc> of_words(const Chronology& story, const MeetingRows& rows) {
   std::vector<ExternalArc> arcs;
   for (const auto& [row, words] : rows) {
-    const bool is_sync = std::any_of(story.syncs.begin(), story.syncs.end(), [&](const Flight& f) {
-      return f.what == std::to_string(row.second);
-    });
+    const std::string what = std::to_string(row.second);
+    const bool is_sync = std::any_of(story.syncs.begin(), story.syncs.end(),
+                                     [&](const Flight& f) { return f.what == what; });
     for (std::size_t i = 0; !is_sync && i + 1 < words.size(); ++i) {
       const MeetingWord& word = words[i];
       const auto last = story.uav_index(word.last);
