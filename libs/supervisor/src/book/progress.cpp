@@ -38,6 +38,16 @@ std::optional<Duration> asked_of(const mission::HighLevelTask& task) {
   return std::nullopt;
 }
 
+/// Of the way's length [0 to 1], as far as that way-point.
+double part_until(const std::vector<Vector3>& way, std::size_t point) {
+  double length = 0, until = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    length += (way[i] - way[i - 1]).norm();
+    if (i <= point) until = length;
+  }
+  return length > 0 ? until / length : 1;
+}
+
 class Account {
  public:
   Account(const Book& book, std::optional<MissionTime> until) : book_(book), until_(until) {}
@@ -63,7 +73,8 @@ class Account {
       span = {std::max(span.from, other->from), std::min(span.until, other->until)};
     }
     const Entry* along = flown_along(book_, entry);
-    const Duration looked = along == nullptr ? span.length() : in_view(*along, span.length());
+    const Duration looked =
+        along == nullptr ? span.length() : in_view(*along, entry.passed, span.length());
     if (looked > Duration()) done.looks.push_back({device, place_of(entry), looked});
     if (along == nullptr) return;
     const auto& way = along->task.way;
@@ -74,16 +85,19 @@ class Account {
   }
 
   // A patrol is as long as it takes to have its zone in view for the time that was asked for: of a
-  // part of it that much in proportion.
-  Duration in_view(const Entry& patrol, Duration flown) {
+  // part of it that much in proportion. One that waits in its course, for its air say, does not see
+  // more of it.
+  Duration in_view(const Entry& patrol, std::size_t passed, Duration lasted) {
     const auto goal = book_.goals.find(patrol.task.origin);
     const auto asked = goal == book_.goals.end() ? std::nullopt : asked_of(goal->second.task);
     const double whole = patrol.task.duration.least.to_seconds();
-    if (!asked || whole <= 0) return flown;
+    if (!asked || whole <= 0) return lasted;
+    const double most = patrol.done() ? 1 : part_until(patrol.task.way, passed + 1);
+    const Duration flown = std::min(lasted, Duration::seconds(most * whole));
     const double missing = std::max(asked->to_seconds() - viewed_.to_seconds(), 0.0);
     const double share = std::min(1.0, missing / whole);
     Duration viewed = Duration::seconds(share * flown.to_seconds());
-    if (patrol.done()) viewed = std::max(viewed, std::min(flown, Duration::seconds(missing)));
+    if (patrol.done()) viewed = std::max(viewed, std::min(lasted, Duration::seconds(missing)));
     viewed_ = viewed_ + viewed;
     return viewed;
   }

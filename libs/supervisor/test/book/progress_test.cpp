@@ -132,8 +132,8 @@ TEST(SupervisorProgress, OfPicturesAlongAMotionIsTheTimeThatBothWentOn) {
   EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), secs(40));
 }
 
-// Of the 300 s that the patrol takes its zone is in view for 100.
-TEST(SupervisorProgress, OfAPatrolIsTheTimeInWhichItsZoneIsInViewInProportion) {
+/// A patrol along the way, of 300 s from 10 s on; of these its zone is in view for 100.
+Desk patrolling(const std::vector<world::Vector3>& way) {
   mission::UnitMission mission = a_mission(1, {701});
   mission.tasks[0].name = kDetection;
   mission.tasks[0].arguments = {100.0};
@@ -142,11 +142,26 @@ TEST(SupervisorProgress, OfAPatrolIsTheTimeInWhichItsZoneIsInViewInProportion) {
   knowledge.vocabulary.tasks[std::string(kDetection)] = {
       std::string(kDetection), {mission::ParameterKind::kDuration}, {}};
   config.knowledge = std::make_shared<Knowledge>(knowledge);
-  Desk desk = shooting_along({{0, 0, 40}, {1000, 0, 40}}, mission, config);
+  return shooting_along(way, mission, config);
+}
+
+TEST(SupervisorProgress, OfAPatrolIsTheTimeInWhichItsZoneIsInViewInProportion) {
+  Desk desk = patrolling({{0, 0, 40}, {1000, 0, 40}});
   desk.at(160).aborted(100, "engine trouble");
   desk.at(165).aborted_as_asked(101);
 
   EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), secs(50));
+}
+
+// Found by random missions (--anything --deaths 5019): it circled for 360 s, away from the zone,
+// and the detection was told as achieved.
+TEST(SupervisorProgress, OfAPatrolThatWaitedForItsAirIsThatOfTheWayUntilThere) {
+  Desk desk = patrolling({{0, 0, 40}, {100, 0, 40}, {200, 0, 40}, {1000, 0, 40}});
+  desk.flies({99, 0, 40});
+  desk.at(500).aborted(100, "others leave it no air");
+  desk.at(505).aborted_as_asked(101);
+
+  EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), secs(20));
 }
 
 TEST(SupervisorProgress, OfAWayIsFromTheLastWayPointReached) {
