@@ -85,14 +85,15 @@ class Account {
   }
 
   // A patrol is as long as it takes to have its zone in view for the time that was asked for: of a
-  // part of it that much in proportion. One that waits in its course, for its air say, does not see
-  // more of it.
+  // part of it that much in proportion. One that lasts for longer than it may has waited in its
+  // course, for its air say, and has seen no more by that.
   Duration in_view(const Entry& patrol, std::size_t passed, Duration lasted) {
     const auto goal = book_.goals.find(patrol.task.origin);
     const auto asked = goal == book_.goals.end() ? std::nullopt : asked_of(goal->second.task);
     const double whole = patrol.task.duration.least.to_seconds();
     if (!asked || whole <= 0) return lasted;
-    const double most = patrol.done() ? 1 : part_until(patrol.task.way, passed + 1);
+    const bool waited = !patrol.done() && lasted > patrol.task.duration.most;
+    const double most = waited ? part_until(patrol.task.way, passed + 1) : 1;
     const Duration flown = std::min(lasted, Duration::seconds(most * whole));
     const double missing = std::max(asked->to_seconds() - viewed_.to_seconds(), 0.0);
     const double share = std::min(1.0, missing / whole);
