@@ -28,11 +28,17 @@ bool Synchroniser::counts(const Heard& heard, MissionTime now) const {
   return heard.word == SyncWord::kDone || !validity_ || now - heard.said <= *validity_;
 }
 
-bool Synchroniser::is_there(std::uint64_t id, const std::string& sender, MissionTime now) const {
+const Synchroniser::Heard* Synchroniser::last_of(std::uint64_t id,
+                                                 const std::string& sender) const {
   const auto heard = heard_.find(id);
-  if (heard == heard_.end()) return false;
+  if (heard == heard_.end()) return nullptr;
   const auto one = heard->second.find(sender);
-  return one != heard->second.end() && counts(one->second, now);
+  return one == heard->second.end() ? nullptr : &one->second;
+}
+
+bool Synchroniser::is_there(std::uint64_t id, const std::string& sender, MissionTime now) const {
+  const Heard* last = last_of(id, sender);
+  return last != nullptr && counts(*last, now);
 }
 
 bool Synchroniser::all_there(std::uint64_t id, const std::set<std::string>& senders,
@@ -67,14 +73,12 @@ bool Synchroniser::begin(TaskId task, const Synchronisation& synchronisation, Mi
 }
 
 bool Synchroniser::met_before(const Synchronisation& synchronisation) const {
-  const auto heard = heard_.find(synchronisation.id);
-  if (heard == heard_.end()) return false;
-  return std::all_of(synchronisation.senders.begin(), synchronisation.senders.end(),
-                     [&](const std::string& sender) {
-                       const auto one = heard->second.find(sender);
-                       return sender == own_ ||
-                              (one != heard->second.end() && one->second.word == SyncWord::kDone);
-                     });
+  const auto& senders = synchronisation.senders;
+  return heard_.contains(synchronisation.id) &&
+         std::all_of(senders.begin(), senders.end(), [&](const std::string& sender) {
+           const Heard* last = last_of(synchronisation.id, sender);
+           return sender == own_ || (last != nullptr && last->word == SyncWord::kDone);
+         });
 }
 
 // A late message is older than what is known; of one instant the later arrival counts.

@@ -62,6 +62,8 @@ class Synchroniser {
   };
 
   bool counts(const Heard& heard, MissionTime now) const;
+  /// The sender's last word; null: none.
+  const Heard* last_of(std::uint64_t id, const std::string& sender) const;
   bool is_there(std::uint64_t id, const std::string& sender, MissionTime now) const;
   bool all_there(std::uint64_t id, const std::set<std::string>& senders, MissionTime now) const;
   bool tells(const std::string& name, std::uint64_t id) const;

@@ -108,11 +108,10 @@ void Executive::Core::run_synchronisation(Slot slot) {
   set_state(slot, TaskState::kRunning);
   const bool done = synchroniser_.begin(record.id, synchronisation, now_);
   say(synchronisation, done && config_.sync_validity ? SyncWord::kDone : SyncWord::kThere);
-  if (done && synchroniser_.met_before(synchronisation)) {
-    notice("task " + to_text(record.id) + ": synchronisation " +
-           std::to_string(synchronisation.id) + " is over already, and is not waited for again");
-  }
   if (done) {
+    if (synchroniser_.met_before(synchronisation))
+      notice("task " + to_text(record.id) + ": synchronisation " +
+             std::to_string(synchronisation.id) + " is over already, and is not waited for again");
     set_state(slot, TaskState::kEnded);
   } else if (config_.sync_validity) {
     say_again_later(slot);

@@ -42,25 +42,15 @@ bool both_ways(const mission::HighLevelTask& task) {
   return senders == receivers;
 }
 
-/// When the synchronisations of a goal were under way, the rendezvous first.
-std::vector<const Execution*> synchronisations_of(const Uav& uav, std::int64_t goal) {
+/// When the synchronisations of goals that have the meeting were under way.
+std::vector<const Execution*> synchronisations(const Uav& uav, double meeting) {
   std::vector<const Execution*> result;
   for (const auto& [task, execution] : uav.executions) {
     const bool sync = execution.type == "synchronise" || execution.type == "rendezvous";
-    if (sync && uav.goal_of_task(task) == goal && execution.started != kNever) {
-      result.push_back(&execution);
-    }
-  }
-  return result;
-}
-
-/// Of all goals that have the meeting.
-std::vector<const Execution*> synchronisations(const Uav& uav, double meeting) {
-  std::vector<const Execution*> result;
-  for (const auto& [id, goal] : uav.goals) {
-    const auto one = meeting_of(uav, goal.task);
-    if (!one || one->id != meeting) continue;
-    for (const Execution* each : synchronisations_of(uav, id)) result.push_back(each);
+    const auto goal = uav.goals.find(uav.goal_of_task(task));
+    if (!sync || execution.started == kNever || goal == uav.goals.end()) continue;
+    const auto one = meeting_of(uav, goal->second.task);
+    if (one && one->id == meeting) result.push_back(&execution);
   }
   return result;
 }

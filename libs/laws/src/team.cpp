@@ -67,14 +67,14 @@ bool may_be_sold_to(const History& history, const std::string& uav, double from)
 }
 
 // To the end.
-bool bids(const History& history, const std::pair<const std::string, Uav>& uav, double since) {
-  return uav.second.degree(history.end) >= 5 && !out_of_contact(uav.second) &&
-         may_be_sold_to(history, uav.first, since);
+bool bids(const History& history, const Uav& uav, double since) {
+  return uav.degree(history.end) >= 5 && !out_of_contact(uav) &&
+         may_be_sold_to(history, uav.name(), since);
 }
 
 bool somebody_bids(const History& history, double since) {
   return std::any_of(history.uavs.begin(), history.uavs.end(),
-                     [&](const auto& each) { return bids(history, each, since); });
+                     [&](const auto& each) { return bids(history, each.second, since); });
 }
 
 // Since when who has it has left it, by its contact-loss policy, and nobody told it to go on.
@@ -215,7 +215,7 @@ bool could_be_given(const History& history, double since) {
 // What others sell beyond its reach the ground station cannot know.
 bool a_sale_is_heard(const History& history, double since) {
   return std::any_of(history.uavs.begin(), history.uavs.end(), [&](const auto& each) {
-    return bids(history, each, since) && is_heard(history, each.first, since);
+    return bids(history, each.second, since) && is_heard(history, each.first, since);
   });
 }
 

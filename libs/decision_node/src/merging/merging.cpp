@@ -93,10 +93,6 @@ void say_it_comes(Core& core, Waiting& waiting, const std::optional<Portions>& p
   core.post_status({waiting.request.id, functional::TaskState::kStarted, "waits for its air"});
 }
 
-std::uint64_t milliseconds(MissionTime at) {
-  return static_cast<std::uint64_t>(std::max<std::int64_t>(at.count(), 0) / 1'000'000);
-}
-
 merging::Margins cruising(const std::optional<MergingConfig>& config) {
   if (!config) return {};
   return merging::margins_of(config->model, config->wind, config->model.cruise_speed);
@@ -366,8 +362,8 @@ std::optional<MissionTime> Merging::next_wakeup() const {
 // The vehicle would tell of a flight of another life's number how that one ended.
 void Merging::begin(const Started& started) {
   if (!started.first_life)
-    aside_ =
-        functional::TaskId(functional::kFirstAsideId.value() + milliseconds(core_.bus().now()));
+    aside_ = functional::TaskId(functional::kFirstAsideId.value() +
+                                merging::Rising::least(core_.bus().now()));
   if (merger_ && started.first_life) give(merging::FirstLife{});
 }
 

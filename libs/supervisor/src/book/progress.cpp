@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "skein/refiners/flight.hpp"
 #include "skein/world/segment.hpp"
 
 namespace skein::supervisor {
@@ -40,12 +41,9 @@ std::optional<Duration> asked_of(const mission::HighLevelTask& task) {
 
 /// Of the way's length [0 to 1], as far as that way-point.
 double part_until(const std::vector<Vector3>& way, std::size_t point) {
-  double length = 0, until = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    length += (way[i] - way[i - 1]).norm();
-    if (i <= point) until = length;
-  }
-  return length > 0 ? until / length : 1;
+  const auto behind = way.begin() + static_cast<std::ptrdiff_t>(std::min(point + 1, way.size()));
+  const double length = refiners::length_of(way);
+  return length > 0 ? refiners::length_of({way.begin(), behind}) / length : 1;
 }
 
 class Account {
