@@ -168,12 +168,6 @@ function(skein_add_test name)
   endif()
   add_test(NAME ${name} COMMAND ${ARG_COMMAND})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
-  if(SKEIN_SANITIZE)
-    # Fast DDS deletes objects through a base without virtual destructor, and is not instrumented.
-    # Given by the environment, so that the daemons a test starts have it too.
-    set_tests_properties(${name} PROPERTIES ENVIRONMENT
-      "ASAN_OPTIONS=new_delete_type_mismatch=0;TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/tsan.supp")
-  endif()
 endfunction()
 
 # skein_long_cases(NAME CASE…): what needs seconds by its nature, of a program of tests (GoogleTest

@@ -1,0 +1,28 @@
+# Programs of a build with sanitizers carry what is judged no fault of ours (cmake/tsan.supp), so that it
+# holds in ctest, in ./check, for a test by hand and for the daemons that a test starts.
+function(skein_make_sanitizer_defaults)
+  set(suppressions ${CMAKE_SOURCE_DIR}/cmake/tsan.supp)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${suppressions})
+  file(READ ${suppressions} SKEIN_TSAN_SUPPRESSIONS)
+  configure_file(${CMAKE_SOURCE_DIR}/cmake/sanitizer_defaults.cpp.in ${CMAKE_BINARY_DIR}/sanitizer_defaults.cpp @ONLY)
+  add_library(skein_sanitizer_defaults OBJECT ${CMAKE_BINARY_DIR}/sanitizer_defaults.cpp)
+endfunction()
+
+function(skein_give_sanitizer_defaults directory)
+  get_property(targets DIRECTORY ${directory} PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(target IN LISTS targets)
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL "EXECUTABLE")
+      target_sources(${target} PRIVATE $<TARGET_OBJECTS:skein_sanitizer_defaults>)
+    endif()
+  endforeach()
+  get_property(subdirectories DIRECTORY ${directory} PROPERTY SUBDIRECTORIES)
+  foreach(subdirectory IN LISTS subdirectories)
+    skein_give_sanitizer_defaults(${subdirectory})
+  endforeach()
+endfunction()
+
+if(SKEIN_SANITIZE)
+  skein_make_sanitizer_defaults()
+  skein_give_sanitizer_defaults(${CMAKE_SOURCE_DIR})
+endif()
