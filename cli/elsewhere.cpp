@@ -30,11 +30,11 @@ constexpr std::array kElsewhere{
     CarriedOut{"state", "skein-live"},      CarriedOut{"status", "skein-live"},
     CarriedOut{"batch", "skein-lab"},       CarriedOut{"compare", "skein-lab"},
     CarriedOut{"export", "skein-lab"},      CarriedOut{"import", "skein-lab"},
-    CarriedOut{"series", "skein-lab"},      CarriedOut{"storm", "skein-lab"},
-    CarriedOut{"allocate", "skein-tools"},  CarriedOut{"mastn", "skein-tools"},
-    CarriedOut{"mle", "skein-tools"},       CarriedOut{"model", "skein-tools"},
-    CarriedOut{"stn", "skein-tools"},       CarriedOut{"refine", "skein-refine"},
-    CarriedOut{"terrain", "skein-refine"},
+    CarriedOut{"judge", "skein-lab"},       CarriedOut{"series", "skein-lab"},
+    CarriedOut{"storm", "skein-lab"},       CarriedOut{"allocate", "skein-tools"},
+    CarriedOut{"mastn", "skein-tools"},     CarriedOut{"mle", "skein-tools"},
+    CarriedOut{"model", "skein-tools"},     CarriedOut{"stn", "skein-tools"},
+    CarriedOut{"refine", "skein-refine"},   CarriedOut{"terrain", "skein-refine"},
 };
 
 const char* program_of(std::string_view command, std::string_view verb) {

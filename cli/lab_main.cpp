@@ -10,6 +10,7 @@
 #include "skein/export_tool/export.hpp"
 #include "skein/import_tool/import.hpp"
 #include "skein/series_tool/series.hpp"
+#include "skein/storm_tool/recorded.hpp"
 #include "skein/storm_tool/storm.hpp"
 
 int main(int argc, char** argv) {
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
   actions.add(cli::with_progress(batch_tool::batch));
   actions.add(cli::on_streams(compare_tool::compare));
   actions.add(cli::on_streams(series_tool::series));
+  actions.add(cli::on_streams(storm_tool::judge_runs));
   actions.add(cli::on_streams(export_tool::export_run));
   actions.add(cli::on_streams(import_tool::import_mission));
   actions.add(cli::on_streams(designer::edit_models));

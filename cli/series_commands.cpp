@@ -10,6 +10,7 @@
 #include "skein/compare_tool/compare.hpp"
 #include "skein/export_tool/export.hpp"
 #include "skein/series_tool/series.hpp"
+#include "skein/storm_tool/recorded.hpp"
 #include "skein/storm_tool/storm.hpp"
 #include "when_chosen.hpp"
 
@@ -136,6 +137,7 @@ Examples:
   skein storm --seeds 1..300                                             missions drawn at random
   skein storm my.yaml --seeds 17 --save out/17 --log out/17              one run, and its event log
   skein storm my.yaml other.yaml --seeds 1..1000 --law energy --law crash --json
+  skein storm my.yaml --seeds 1..20 --over-dds 10                        by daemons, at ten times real time
   skein run out/storm/energy-my-17.yaml --virtual                        a scenario that was kept, small
 Exit codes: 0 no law was broken, 1 some, 2 wrong input.)";
 
@@ -160,12 +162,44 @@ void add_storm(CLI::App& app, Action& action, const Actions& actions) {
   storm->add_option("--patience", options->judge.patience, "Seconds of processor time for one run")
       ->check(CLI::Range(1, 3600))
       ->capture_default_str();
+  storm
+      ->add_option(
+          "--over-dds", options->judge.over_dds_at,
+          "By daemons over DDS, at so many mission seconds a second, instead of in virtual "
+          "time; nothing is made small")
+      ->check(CLI::Range(0.1, 100.0));
   storm->add_option("--models", options->models,
                     "Folder scenarios/ of Skein, for missions drawn (default: found)");
   storm->add_flag("--json", options->json, "One JSON document, no progress");
   storm->add_flag("--quiet", options->quiet, "No progress");
   storm->footer(kStormExamples);
   when_chosen(storm, options, action, actions);
+}
+
+constexpr const char* kJudgeExamples = R"(
+Examples:
+  skein judge out/comets-confirmed
+  skein judge out/flight-1 out/flight-2 --law separation --law energy --json
+  skein judge --laws                                        what is judged
+Exit codes: 0 no law was broken, 1 some, 2 a folder cannot be read.)";
+
+void add_judge(CLI::App& app, Action& action, const Actions& actions) {
+  auto options = std::make_shared<storm_tool::JudgeRunsOptions>();
+  CLI::App* judge = app.add_subcommand("judge", "Recorded runs judged by laws that know no plan");
+  judge->add_option("folders", options->folders, "Folders of runs (out/NAME)");
+  judge->add_option("--law", options->only, "Only this law; may be repeated")
+      ->allow_extra_args(false);
+  judge
+      ->add_option(
+          "--allow-late", options->late,
+          "Of runs over DDS: seconds of the clock on the wall by which what passes between "
+          "nodes may be late, and clocks differ")
+      ->check(CLI::Range(0.0, 60.0))
+      ->capture_default_str();
+  judge->add_flag("--laws", options->list_laws, "List the laws");
+  judge->add_flag("--json", options->json, "One JSON document");
+  judge->footer(kJudgeExamples);
+  when_chosen(judge, options, action, actions);
 }
 
 }  // namespace
@@ -176,6 +210,7 @@ void add_series(CLI::App& app, Action& action, const Actions& actions) {
   add_time_series(app, action, actions);
   add_export(app, action, actions);
   add_storm(app, action, actions);
+  add_judge(app, action, actions);
 }
 
 }  // namespace skein::cli

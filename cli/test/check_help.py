@@ -13,7 +13,7 @@ import unicodedata
 NO_FILE = ["/nonexistent"]
 ENDS_AT_ONCE = {
     "allocate": NO_FILE, "batch": NO_FILE, "compare": NO_FILE * 2, "completion": ["bash"], "export": NO_FILE,
-    "functional": [*NO_FILE, "--virtual"], "import": NO_FILE, "manual": ["/dev/null/pages"],
+    "functional": [*NO_FILE, "--virtual"], "import": NO_FILE, "judge": NO_FILE, "manual": ["/dev/null/pages"],
     "mastn": ["run", *NO_FILE, "--algorithm", "cip"], "mle": NO_FILE, "model": ["check", *NO_FILE],
     "model edit": [*NO_FILE, "--port", "0"], "operate": None, "plan": NO_FILE, "refine": NO_FILE, "replay": NO_FILE,
     "report": NO_FILE, "run": NO_FILE, "series": NO_FILE, "spy": ["play", *NO_FILE], "state": ["show", *NO_FILE],

@@ -7,10 +7,8 @@
 
 #include "skein/assembly/assembly.hpp"
 #include "skein/foundation/exit_code.hpp"
-#include "skein/laws/contact.hpp"
-#include "skein/laws/healing.hpp"
+#include "skein/laws/judgement.hpp"
 #include "skein/laws/laws.hpp"
-#include "skein/laws/protocol.hpp"
 #include "skein/run_tool/whole_run.hpp"
 #include "skein/scenario/measures.hpp"
 #include "skein/scenario_setup/overrides.hpp"
@@ -64,13 +62,8 @@ void ask_laws(const scenario::Scenario& scenario, const std::vector<journal::Rec
     row.laws.push_back(law);
     row.breaks.push_back(seen);
   };
-  for (const laws::Violation& one : laws::broken_laws(scenario, records))
+  for (const laws::Violation& one : laws::judge(scenario, records))
     add(one.law, laws::to_text(one));
-  for (const std::string& breach : laws::broken_protocol(records, laws::command_limit(scenario)))
-    add("protocol", breach);
-  for (const std::string& breach : laws::broken_healing(records, laws::healing_limits(scenario)))
-    add("healing", breach);
-  for (const std::string& breach : laws::broken_contacts(scenario, records)) add("contact", breach);
 }
 
 Row labelled(const Case& what) {

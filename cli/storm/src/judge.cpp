@@ -9,14 +9,13 @@
 #include <optional>
 #include <sstream>
 
+#include "over_dds.hpp"
 #include "skein/assembly/assembly.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
-#include "skein/laws/contact.hpp"
-#include "skein/laws/healing.hpp"
-#include "skein/laws/laws.hpp"
-#include "skein/laws/protocol.hpp"
+#include "skein/laws/judgement.hpp"
 #include "skein/scenario_setup/overrides.hpp"
+#include "skein/storm_tool/recorded.hpp"
 #include "skein/workers/workers.hpp"
 
 namespace skein::storm_tool {
@@ -41,20 +40,6 @@ std::vector<Record> play(const scenario::Scenario& scenario) {
   return records;
 }
 
-void count_goals(const laws::History& history, std::ostream& out) {
-  int goals = 0, achieved = 0, failed = 0;
-  for (const auto& [name, uav] : history.uavs) {
-    for (const auto& [id, goal] : uav.goals) {
-      ++goals;
-      achieved += goal.state() == "achieved" ? 1 : 0;
-      failed += goal.state() == "failed" ? 1 : 0;
-    }
-  }
-  const auto near = laws::nearest(history);
-  out << "run\t" << goals << '\t' << achieved << '\t' << failed << '\t' << history.end << '\t'
-      << (near ? near->distance : -1) << '\n';
-}
-
 void keep_log(const std::vector<Record>& records, const Case& one, const std::string& folder) {
   std::filesystem::create_directories(folder);
   std::ofstream out(std::filesystem::path(folder) /
@@ -73,42 +58,39 @@ std::string text_of(const std::vector<Record>& records) {
   return text;
 }
 
-std::vector<laws::Violation> violations_of(const scenario::Scenario& scenario,
-                                           const std::vector<Record>& records,
-                                           const JudgeOptions& options) {
-  std::vector<laws::Violation> all = laws::broken_laws(scenario, records, options.only);
-  if (wants(options, "protocol")) {
-    for (const std::string& breach : laws::broken_protocol(records, laws::command_limit(scenario)))
-      all.push_back({"protocol", 0, "", 0, breach});
-  }
-  if (wants(options, "healing")) {
-    for (const std::string& breach : laws::broken_healing(records, laws::healing_limits(scenario)))
-      all.push_back({"healing", 0, "", 0, breach});
-  }
-  if (wants(options, "contact")) {
-    for (const std::string& breach : laws::broken_contacts(scenario, records))
-      all.push_back({"contact", 0, "", 0, breach});
-  }
-  if (options.twice && wants(options, "same-bytes") && text_of(play(scenario)) != text_of(records))
-    all.push_back({"same-bytes", 0, "", 0, "played again, the event log is another"});
-  return all;
-}
-
 // The child's report, a line a fact.
-std::string report_of(const Case& one, const JudgeOptions& options) {
+std::string report_of(const Verdict& verdict) {
   std::ostringstream out;
-  auto scenario = scenario::read_scenario_text(one.yaml, one.file);
-  Diagnostics problems = scenario ? scenario_setup::apply({}, *scenario) : scenario.error();
-  if (problems.empty()) problems = assembly::check_assembly(*scenario);
-  if (!problems.empty()) return "invalid\t" + one_line(to_text(problems)) + "\n";
-  const std::vector<Record> records = play(*scenario);
-  if (!options.log.empty()) keep_log(records, one, options.log);
-  count_goals(laws::history_of(*scenario, records), out);
-  for (const laws::Violation& broken : violations_of(*scenario, records, options)) {
+  if (!verdict.valid) return "invalid\t" + one_line(verdict.problem) + "\n";
+  out << "run\t" << verdict.goals << '\t' << verdict.achieved << '\t' << verdict.failed << '\t'
+      << verdict.flown << '\t' << verdict.nearest << '\n';
+  for (const laws::Violation& broken : verdict.violations) {
     out << "broken\t" << broken.law << '\t' << broken.at << '\t' << broken.uav << '\t'
         << broken.goal << '\t' << one_line(broken.sentence) << '\n';
   }
   return out.str();
+}
+
+Verdict invalid(std::string problem) {
+  Verdict verdict;
+  verdict.valid = false;
+  verdict.problem = std::move(problem);
+  return verdict;
+}
+
+Verdict play_and_judge(const Case& one, const JudgeOptions& options) {
+  auto scenario = scenario::read_scenario_text(one.yaml, one.file);
+  Diagnostics problems = scenario ? scenario_setup::apply({}, *scenario) : scenario.error();
+  if (problems.empty()) problems = assembly::check_assembly(*scenario);
+  if (!problems.empty()) return invalid(to_text(problems));
+  if (options.over_dds_at) return judged_over_dds(one, options);
+  const std::vector<Record> records = play(*scenario);
+  if (!options.log.empty()) keep_log(records, one, options.log);
+  Verdict verdict = verdict_on(*scenario, records, {options.only});
+  if (options.twice && wants(options, "same-bytes") && text_of(play(*scenario)) != text_of(records))
+    verdict.violations.push_back(
+        {"same-bytes", 0, "", 0, "played again, the event log is another"});
+  return verdict;
 }
 
 std::vector<std::string> fields_of(const std::string& line) {
@@ -140,7 +122,7 @@ Verdict verdict_from(const std::string& report) {
 }
 
 workers::Work work_of(Case one, const JudgeOptions& options) {
-  return [one = std::move(one), &options] { return report_of(one, options); };
+  return [one = std::move(one), &options] { return report_of(play_and_judge(one, options)); };
 }
 
 Verdict verdict_of(const workers::Outcome& outcome, const JudgeOptions& options) {
@@ -172,21 +154,8 @@ void judge(const std::function<bool(Case&)>& next, const JudgeOptions& options,
 
 namespace {
 
-struct Judged {
-  std::vector<std::string> names;
-  std::string says;
-};
-
-/// The laws of truth, and what else is judged.
-std::vector<Judged> all_judged() {
-  std::vector<Judged> all;
-  for (const auto& law : laws::all_laws()) all.push_back({{law.name}, law.says});
-  all.push_back({{"protocol"},
-                 "tasks go through their states, commands are settled once, messages come once and "
-                 "in order"});
-  all.push_back(
-      {{"healing"}, "what was waiting comes soon after a link is back, no event is lost unsaid"});
-  all.push_back({{"contact"}, "nobody is in contact whom the radio does not connect"});
+std::vector<laws::Statement> all_judged() {
+  std::vector<laws::Statement> all = laws::judged_by();
   all.push_back({{"crash", "hang"}, "a run ends"});
   all.push_back({{"same-bytes"}, "played again, the event log is the same (with --twice)"});
   return all;
@@ -194,17 +163,16 @@ std::vector<Judged> all_judged() {
 
 std::vector<std::string> law_names() {
   std::vector<std::string> names;
-  for (const Judged& one : all_judged())
+  for (const laws::Statement& one : all_judged())
     names.insert(names.end(), one.names.begin(), one.names.end());
   return names;
 }
 
 }  // namespace
 
-std::vector<std::string> law_lines() {
-  std::vector<std::string> lines;
-  for (const Judged& one : all_judged()) lines.push_back(joined(one.names, ", ") + ": " + one.says);
-  return lines;
+void print_laws(std::ostream& out) {
+  for (const laws::Statement& one : all_judged())
+    out << joined(one.names, ", ") << ": " << one.says << '\n';
 }
 
 std::string problem_of_laws(const std::vector<std::string>& names) {

@@ -168,7 +168,7 @@ class Storm {
 
   std::string kept_text(const Case& what, const std::string& law) {
     std::string text = what.yaml;
-    if (options_.shrink) {
+    if (options_.shrink && !options_.judge.over_dds_at) {
       if (!options_.quiet) err_ << "making " << what.name << " small (" << law << ")\n";
       text = shrunk(text, smaller, [&](const std::string& less) {
         return breaks({what.name, less, what.file}, law);
@@ -248,15 +248,13 @@ class Storm {
   std::vector<Failing> failing_;
 };
 
-int list_laws(std::ostream& out) {
-  for (const std::string& line : law_lines()) out << line << '\n';
-  return kExitOk;
-}
-
 }  // namespace
 
 int storm(const StormOptions& options, std::ostream& out, std::ostream& err) {
-  if (options.list_laws) return list_laws(out);
+  if (options.list_laws) {
+    print_laws(out);
+    return kExitOk;
+  }
   if (!workers::seeds_of(options.seeds)) {
     err << "--seeds: '" << options.seeds << "', expected A..B, as in 1..300\n";
     return kExitBadInput;

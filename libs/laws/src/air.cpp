@@ -92,7 +92,7 @@ void AirHistory::hear(const journal::lines::Air& line, const journal::Written& w
 }
 
 std::vector<Violation> waits_for_each_other(const History& history) {
-  const double longest = longest_of_two(history.scenario->radio);
+  const double longest = longest_of_two(history.scenario->radio) + history.late;
   std::vector<Violation> result;
   Waits waits;
   std::map<Pair, double> since;

@@ -103,8 +103,9 @@ const std::vector<Law>& all_laws() {
 
 std::vector<Violation> broken_laws(const scenario::Scenario& scenario,
                                    const std::vector<journal::Record>& records,
-                                   const std::vector<std::string>& only) {
-  const History history = history_of(scenario, records);
+                                   const std::vector<std::string>& only, Duration late) {
+  History history = history_of(scenario, records);
+  history.late = late.to_seconds();
   std::vector<Violation> result;
   for (const Law& law : all_laws()) {
     if (!only.empty() && std::find(only.begin(), only.end(), law.name) == only.end()) continue;

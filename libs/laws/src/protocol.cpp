@@ -33,7 +33,8 @@ constexpr std::uint64_t kFirstLongMessage = std::uint64_t{1} << 50;
 
 class Checker {
  public:
-  explicit Checker(Duration command_limit) : command_limit_(command_limit) {}
+  Checker(Duration command_limit, std::optional<Duration> late)
+      : command_limit_(command_limit), late_(late) {}
 
   std::vector<std::string> check(const std::vector<Record>& records) {
     for (const Record& record : records) {
@@ -224,8 +225,9 @@ class Checker {
   // a relay it may wait until the next link has room, and may have left the first before it went
   // down.
   bool may_have_come(const Channel& channel, MissionTime sent, MissionTime at) const {
+    if (!late_) return true;
     for (std::size_t links = 1; links <= relays_.size() + 1; ++links) {
-      const Duration moment = Duration::seconds(kMoment * static_cast<double>(links));
+      const Duration moment = Duration::seconds(kMoment * static_cast<double>(links)) + *late_;
       const auto carries = [&](const std::string& from, const std::string& to) {
         const auto down = down_since_.find({from, to});
         if (down != down_since_.end()) return (links == 1 ? at : sent) <= down->second + moment;
@@ -257,6 +259,7 @@ class Checker {
   }
 
   Duration command_limit_;
+  std::optional<Duration> late_;
   MissionTime last_;
   std::map<Task, std::string> tasks_;
   std::map<Job, std::string> latest_;  ///< whoever told it
@@ -282,9 +285,9 @@ Duration command_limit(const scenario::Scenario& scenario) {
   return scenario.ground.script.command_lifetime + kSettling;
 }
 
-std::vector<std::string> broken_protocol(const std::vector<Record>& records,
-                                         Duration command_limit) {
-  return Checker(command_limit).check(records);
+std::vector<std::string> broken_protocol(const std::vector<Record>& records, Duration command_limit,
+                                         std::optional<Duration> late) {
+  return Checker(command_limit, late).check(records);
 }
 
 std::string to_text(const std::vector<std::string>& breaches) {

@@ -176,7 +176,8 @@ std::vector<Violation> plan_words_unheard(const History& history) {
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
     for (auto word = uav.plan_words.begin(); word != uav.plan_words.end(); ++word) {
-      const double within = 1 + on_the_air(history.scenario->radio, word->arcs);  // [s]
+      const double within =
+          1 + on_the_air(history.scenario->radio, word->arcs) + history.late;  // [s]
       const auto hearer = history.uavs.find(word->other);
       const bool died = history.dead.contains(name) || history.dead.contains(word->other);
       if (!word->sent || died || hearer == history.uavs.end()) continue;
@@ -186,7 +187,7 @@ std::vector<Violation> plan_words_unheard(const History& history) {
       const double until = next == uav.plan_words.end() ? history.end : next->at;
       const auto& heard = hearer->second.plan_words;
       const auto first = std::find_if(heard.begin(), heard.end(), [&](const PlanWord& one) {
-        return !one.sent && one.other == name && one.at >= word->at;
+        return !one.sent && one.other == name && one.at >= word->at - history.late;
       });
       const double by = first == heard.end() ? until : std::min(first->at, until);
       const auto since = reached(history, name, word->other, word->at, by, within);
@@ -222,10 +223,10 @@ bool is_the_last(const Uav& uav, const SyncHeard& word) {
 // and those of plans come over one radio; where the ground station says when others come, by a hop
 // more.
 std::vector<Violation> come_before_foretold(const History& history) {
-  constexpr double kMoment = 1;  // [s]
+  const double moment = 1 + history.late;  // [s]
   const auto& planning = history.scenario->planning;
   const bool by_ground = planning && planning->consistency == temporal::Algorithm::kCip;
-  const double on_its_way = by_ground ? kMoment : 0;
+  const double on_its_way = by_ground ? moment : 0;
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
     for (const SyncHeard& heard : uav.syncs_heard) {
@@ -233,7 +234,7 @@ std::vector<Violation> come_before_foretold(const History& history) {
       for (const Foretold& one : uav.foretold)
         if (one.id == heard.id && one.at <= heard.at + on_its_way) believed = &one;
       const bool about = believed != nullptr && believed->known && believed->last == heard.from;
-      if (!about || !is_the_last(uav, heard) || believed->soonest <= heard.at + kMoment) continue;
+      if (!about || !is_the_last(uav, heard) || believed->soonest <= heard.at + moment) continue;
       const std::string when = believed->soonest == kNever
                                    ? "never"
                                    : "no earlier than " + figure(believed->soonest) + " s";

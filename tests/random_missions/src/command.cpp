@@ -122,7 +122,9 @@ void save(const Options& options, const Mission& mission, const Verdict& verdict
   std::set<std::string> laws;
   for (const Violation& one : verdict.violations) {
     if (!laws.insert(one.law).second) continue;
-    const Mission kept = options.minimise ? minimised(mission, one.law, options.judge) : mission;
+    const Mission kept = options.minimise && !options.judge.over_dds_at
+                             ? minimised(mission, one.law, options.judge)
+                             : mission;
     std::ofstream out(options.save + "/" + one.law + "-" + std::to_string(mission.seed) + ".yaml");
     out << "# " << laws::to_text(one) << '\n' << to_yaml(kept, scenarios_from(options.save));
   }
@@ -260,6 +262,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--minimise", options.minimise, "with --save: leave out what can be left out");
   app.add_option("--log", options.judge.log, "keep the event log of each mission in this folder");
   app.add_option("--jobs", options.judge.jobs, "how many at once")->check(CLI::Range(1, 64));
+  app.add_option("--over-dds", options.judge.over_dds_at,
+                 "by daemons over DDS, at so many mission seconds a second")
+      ->check(CLI::Range(0.1, 100.0));
   app.add_option("--patience", options.judge.patience, "seconds of processor time for one")
       ->check(CLI::Range(1, 3600));
   app.add_option("--examples", options.examples, "seeds to name for each law");
@@ -279,7 +284,7 @@ int command(int argc, char** argv) {
   declare(app, options);
   CLI11_PARSE(app, argc, argv);
   if (options.laws) {
-    for (const std::string& line : storm_tool::law_lines()) std::cout << line << '\n';
+    storm_tool::print_laws(std::cout);
     return kExitOk;
   }
   if (const auto problem = storm_tool::problem_of_laws(options.judge.only); !problem.empty()) {

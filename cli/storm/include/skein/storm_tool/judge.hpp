@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plays scenarios in virtual time, each in a process of its own, and judges them by the laws.
+// Plays scenarios, each in a process of its own, and judges them by the laws.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,10 +36,13 @@ struct JudgeOptions {
   int jobs = 1;
   int patience = 60;     ///< [s] of processor time for one
   std::string log = {};  ///< folder in which each event log is kept as NAME.jsonl; none if empty
+  /// By daemons over DDS at that many mission seconds per second, as `skein run` does, instead of
+  /// in virtual time; `log` keeps the whole folder of each run.
+  std::optional<double> over_dds_at = {};
 };
 
 /// All laws that a mission is judged by, a line each: "NAME: what it says", names with commas.
-std::vector<std::string> law_lines();
+void print_laws(std::ostream& out);
 /// The error of unknown names of laws, with the nearest names; empty: none.
 std::string problem_of_laws(const std::vector<std::string>& names);
 

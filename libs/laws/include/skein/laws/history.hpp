@@ -208,6 +208,9 @@ struct History {
   std::map<std::string, std::vector<std::pair<double, double>>> away = {};
   /// When an operator had declared UAVs lost, (from, until); until kNever: it was not taken back.
   std::map<std::string, std::vector<std::pair<double, double>>> lost = {};
+  /// [s] by which clocks of nodes may differ and what passes between them may be late, beside what
+  /// the scenario's radio says: 0 in virtual time.
+  double late = 0;
 
   /// The position that an argument names: a place of the scenario, an alarm or a tracked object as
   /// known at `at`, or the point itself; absent: the argument is no place.

@@ -20,10 +20,11 @@ struct Law {
 /// All laws, in the order of the documentation (README).
 const std::vector<Law>& all_laws();
 
-/// Every violation of every law (or of `only`), in the order of time.
+/// Every violation of every law (or of `only`), in the order of time. `late`: History::late.
 std::vector<Violation> broken_laws(const scenario::Scenario& scenario,
                                    const std::vector<journal::Record>& records,
-                                   const std::vector<std::string>& only = {});
+                                   const std::vector<std::string>& only = {},
+                                   Duration late = Duration());
 
 /// Instants at which UAVs in the air were nearer to each other than their models permit, in the
 /// order of time. Like law `separation`, but also for scenarios that do not ask for separation.

@@ -2,6 +2,7 @@
 // Laws that the event log of any run keeps, whatever the scenario and its faults.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,11 @@ namespace skein::laws {
 /// - samples: none breaks the rules of the wire, none is too long for it;
 /// - links: nothing is received over a link that has been down for more than a moment, unless there
 ///   is a way past nodes that `route` lines have named before.
+/// `late`: how long after a link went down something may still come over it, beside a moment (see
+/// History::late); absent: `link` lines say nothing of what the samples really pass.
 std::vector<std::string> broken_protocol(const std::vector<journal::Record>& records,
-                                         Duration command_limit = Duration::seconds(66));
+                                         Duration command_limit = Duration::seconds(66),
+                                         std::optional<Duration> late = Duration());
 
 /// The `command_limit` of a scenario: the lifetime of its commands, and a tenth of a minute in
 /// which what came of them is told.

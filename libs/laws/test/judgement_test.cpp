@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// One judgement by all laws.
+#include "skein/laws/judgement.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "skein/journal/lines/radio.hpp"
+
+namespace skein::laws {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
+
+scenario::Scenario comets() {
+  return *scenario::read_scenario(SKEIN_SOURCE_DIR "/scenarios/comets/confirmed.yaml");
+}
+
+/// Karma is in contact with Heliv, whom the radio has never connected to it.
+std::vector<journal::Record> contact_from_nowhere() {
+  return {journal::record_of(MissionTime::seconds(0), "sim",
+                             journal::lines::Link{.from = "heliv", .to = "karma", .up = false}),
+          journal::record_of(MissionTime::seconds(9), "karma",
+                             journal::lines::Reach{.peer = "heliv", .reachable = true})};
+}
+
+/// A command is settled that nobody issued.
+std::vector<journal::Record> settled_from_nowhere() {
+  return {journal::Record(MissionTime::seconds(1), "ground", "command")
+              .with("command", 5)
+              .with("to", "heliv")
+              .with("state", "acknowledged")};
+}
+
+std::vector<std::string> laws_of(const std::vector<Violation>& violations) {
+  std::set<std::string> names;
+  for (const Violation& one : violations) names.insert(one.law);
+  return {names.begin(), names.end()};
+}
+
+TEST(Judgement, IsByLawsOfTruthOfTheProtocolAndOfTheRadio) {
+  std::vector<std::string> names;
+  for (const Statement& one : judged_by())
+    names.insert(names.end(), one.names.begin(), one.names.end());
+
+  EXPECT_THAT(names, IsSupersetOf({"separation", "energy", "protocol", "healing", "contact"}));
+  EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size()) << "each name once";
+}
+
+TEST(Judgement, OfNothingFindsNothing) { EXPECT_THAT(judge(comets(), {}), IsEmpty()); }
+
+TEST(Judgement, FindsWhatBreaksTheProtocol) {
+  EXPECT_THAT(laws_of(judge(comets(), settled_from_nowhere())), ElementsAre("protocol"));
+}
+
+TEST(Judgement, FindsContactsThatTheRadioDoesNotGive) {
+  EXPECT_THAT(laws_of(judge(comets(), contact_from_nowhere())), ElementsAre("contact"));
+}
+
+TEST(Judgement, OverDdsDoesNotAskWhenContactsBegan) {
+  EXPECT_THAT(judge(comets(), contact_from_nowhere(), {{}, Duration::seconds(1)}), IsEmpty());
+}
+
+/// Heliv hears Karma over a link that has been down for a minute.
+std::vector<journal::Record> heard_over_no_link() {
+  const auto message = [](double at, const char* node, const char* direction) {
+    return journal::record_of(MissionTime::seconds(at), node,
+                              journal::lines::Message{.slot = "Decision",
+                                                      .from = "karma",
+                                                      .to = "heliv",
+                                                      .sequence = 1,
+                                                      .direction = direction});
+  };
+  return {journal::record_of(MissionTime::seconds(0), "sim",
+                             journal::lines::Link{.from = "karma", .to = "heliv", .up = false}),
+          message(60, "karma", "sent"), message(61, "heliv", "received")};
+}
+
+TEST(Judgement, FindsWhatComesOverNoLinkUnlessTheRadioIsNotThatOfTheSimulator) {
+  scenario::Scenario silent = comets();
+  silent.radio.silent = true;
+
+  EXPECT_THAT(laws_of(judge(comets(), heard_over_no_link(), {{}, Duration::seconds(1)})),
+              ElementsAre("protocol"));
+  EXPECT_THAT(judge(silent, heard_over_no_link(), {{}, Duration::seconds(1)}), IsEmpty());
+}
+
+TEST(Judgement, IsByTheLawsAskedForAlone) {
+  EXPECT_THAT(judge(comets(), settled_from_nowhere(), {{"contact", "energy"}}), IsEmpty());
+}
+
+}  // namespace
+}  // namespace skein::laws
