@@ -122,6 +122,36 @@ TEST(AVehicleThatFitsNoRole, SaysSoAtOnceAndGoesOn) {
   EXPECT_EQ(mission.count({{"kind", "goal"}, {"goal", "23"}, {"state", "achieved"}}), 1U);
 }
 
+// Found by storms of the shipped scenarios: who perceived stayed where it was until its energy was
+// short, and its partner with it, since its role waited for a message that need not come.
+TEST(ATaskOfARoleThatTheVehicleGivesUp, IsBegunAgain) {
+  scenario::Scenario scenario = scenario_at("mref/nominal");
+  scenario.faults.aborts.push_back({MissionTime::seconds(300), "uav2", "perceive"});
+
+  const Mission mission = play(scenario);
+
+  EXPECT_EQ(mission.count(
+                {{"kind", "task"}, {"uav", "uav2"}, {"type", "perceive"}, {"state", "aborted"}}),
+            1U);
+  EXPECT_EQ(mission.count({{"kind", "goal"}, {"goal", "12"}, {"state", "achieved"}}), 1U);
+  EXPECT_EQ(mission.count({{"kind", "goal"}, {"goal", "22"}, {"state", "achieved"}}), 1U);
+  EXPECT_EQ(mission.untrue, "");
+}
+
+TEST(ARoleWhoseTaskFailsAgainAndAgain, IsLeftWithTheReasonAndAnotherTakesIt) {
+  scenario::Scenario scenario = scenario_at("mref/nominal");
+  scenario.faults.breaks.push_back({MissionTime::seconds(300), "uav2", "visible"});
+
+  const Mission mission = play(scenario);
+
+  const auto left = mission.find({{"kind", "joint"}, {"uav", "uav2"}, {"phase", "leaving"}});
+  ASSERT_FALSE(left.empty());
+  EXPECT_LT(left.front().at(), MissionTime::seconds(310));
+  EXPECT_EQ(left.front().text("why"), "t13: device 'visible' has failed");
+  EXPECT_EQ(mission.count({{"kind", "goal"}, {"goal", "12"}, {"state", "achieved"}}), 1U);
+  EXPECT_EQ(mission.untrue, "");
+}
+
 TEST(ARoleWhoseDeviceHasFailed, IsLeftWithTheReason) {
   scenario::Scenario scenario = scenario_at("agreed-places/pursuit");
   scenario.faults.breaks.push_back({MissionTime::seconds(79), "uav1", "visible"});

@@ -55,6 +55,7 @@ std::vector<Violation> roles_held_twice(const History& history);
 std::vector<Violation> agreements_apart(const History& history);
 std::vector<Violation> restless_negotiations(const History& history);
 std::vector<Violation> activations_without_end(const History& history);
+std::vector<Violation> roles_at_a_standstill(const History& history);
 std::vector<Violation> joint_tasks_without_end(const History& history);
 std::vector<Violation> joint_tasks_apart(const History& history);
 // joint_places.cpp

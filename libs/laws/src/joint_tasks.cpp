@@ -2,6 +2,7 @@
 // Who takes part in a joint task holds one role, that nobody else holds, and all end alike.
 #include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "checks.hpp"
@@ -115,6 +116,54 @@ std::vector<Violation> activations_without_end(const History& history) {
       result.push_back({"", one.at, told.uav, 0,
                         name + " of " + told.joint + " is still " + one.state +
                             " when the joint task has ended"});
+    }
+  }
+  return result;
+}
+
+namespace {
+
+bool is_task(const History& history, const JointTold& told, const JointTold::Componel& one) {
+  return std::ranges::any_of(history.joint.tasks, [&](const RoleTaskTold& task) {
+    return task.uav == told.uav && task.joint == told.joint && task.role == one.role &&
+           task.componel == one.componel;
+  });
+}
+
+/// Whether it begins or leaves something of its role after its componel number `i` in that time.
+bool goes_on(const JointTold& told, std::size_t i, double until) {
+  const double from = told.componels[i].at;
+  const auto begins = [&](const auto& one) {
+    return one.at <= until && (one.state == "running" || one.state == "aborting");
+  };
+  const auto after = told.componels.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+  return std::any_of(after, told.componels.end(), begins) ||
+         std::any_of(told.phases.begin(), told.phases.end(), [&](const auto& one) {
+           return one.at >= from && one.at <= until && one.phase != "running";
+         });
+}
+
+}  // namespace
+
+// What a role interrupts itself is aborting before it is aborted.
+std::vector<Violation> roles_at_a_standstill(const History& history) {
+  constexpr double kMoment = 60;  // [s]
+  std::vector<Violation> result;
+  for (const JointTold& told : history.joint.joints) {
+    std::set<std::string> running;  // tasks
+    for (std::size_t i = 0; i < told.componels.size(); ++i) {
+      const JointTold::Componel& one = told.componels[i];
+      const std::string name = one.role + " " + one.componel;
+      if (one.state == "running" && is_task(history, told, one)) running.insert(name);
+      if (one.state == "running") continue;
+      const bool given_up = running.erase(name) > 0 && one.state == "aborted" && running.empty();
+      const double until = one.at + kMoment;
+      if (!given_up || until > history.end || goes_on(told, i, until)) continue;
+      if (history.was_killed(told.uav) || history.was_away(told.uav, one.at, until)) continue;
+      result.push_back({"", one.at, told.uav, 0,
+                        name + " of " + told.joint +
+                            " is aborted, and it neither begins anything else of its role nor "
+                            "leaves it"});
     }
   }
   return result;

@@ -59,6 +59,7 @@ std::vector<Law> all_but_team_laws() {
       {"agreements", "a negotiation comes out alike wherever it is decided", agreements_apart},
       {"restless", "roles that all have just kept are not asked for again", restless_negotiations},
       {"activations", "all of a role is over when its joint task is", activations_without_end},
+      {"standstill", "who cannot go on with its role leaves it", roles_at_a_standstill},
       {"joint", "no joint task ends at one and is aborted at another", joint_tasks_apart},
       {"joint-ends", "each joint task ends, and says why if not done", joint_tasks_without_end},
       {"joint-done", "a joint task achieved was truly done by its members", joint_tasks_not_done},

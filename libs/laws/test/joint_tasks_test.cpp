@@ -273,6 +273,34 @@ TEST(JointLaws, WhatWasActivatedIsOverWhenTheJointTaskHasEnded) {
               IsEmpty());
 }
 
+TEST(JointLaws, WhoCannotGoOnWithItsRoleLeavesIt) {
+  const auto given_up = [] {
+    Told told;
+    told.phase(10, "marvin", "running", "watch");
+    told.componel(20, "marvin", "w1", "running").perceives("marvin", 9, 20, 100);
+    return told.componel(100, "marvin", "w1", "aborted");
+  };
+
+  EXPECT_THAT(given_up().broken(roles_at_a_standstill), ElementsAre(HasSubstr("w1")));
+  EXPECT_THAT(given_up().componel(150, "marvin", "w1", "running").broken(roles_at_a_standstill),
+              IsEmpty())
+      << "it tries again";
+  EXPECT_THAT(given_up().phase(120, "marvin", "leaving", "watch").broken(roles_at_a_standstill),
+              IsEmpty());
+  EXPECT_THAT(given_up().phase(170, "marvin", "leaving", "watch").broken(roles_at_a_standstill),
+              ElementsAre(HasSubstr("w1")))
+      << "too late";
+}
+
+TEST(JointLaws, WhatARoleInterruptsItselfIsNoStandstill) {
+  Told told;
+  told.phase(10, "marvin", "running", "watch");
+  told.componel(20, "marvin", "w1", "running").perceives("marvin", 9, 20, 100);
+  told.componel(99, "marvin", "w1", "aborting").componel(100, "marvin", "w1", "aborted");
+
+  EXPECT_THAT(told.broken(roles_at_a_standstill), IsEmpty());
+}
+
 TEST(JointLaws, AJointTaskEndsAlikeAtAll) {
   Told told;
   told.phase(10, "marvin", "running", "watch").componel(11, "marvin", "w1", "ended");

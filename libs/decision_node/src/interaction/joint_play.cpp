@@ -83,6 +83,8 @@ void JointPlay::begin(const std::string& role) {
   looks_.clear();
   following_.clear();
   fails_at_once_.clear();
+  given_up_.clear();
+  blind_.clear();
   sharing_again_.reset();
   places_again_.reset();
   roles_stand_until_.reset();
@@ -199,22 +201,38 @@ void JointPlay::tell_of(interaction::JointTaskStatus& status) const {
 // ---- its tasks ----
 
 // Interrupted as it begins: that it is to be left comes next.
-void JointPlay::carry_out(const interaction::Run& effect) {
+void JointPlay::run(const std::string& name) {
   if (host_.stops(my_.joint.task)) return;
   const interaction::Automaton& automaton = play_->automaton();
-  const interaction::Componel& componel = automaton[*automaton.find(effect.task)];
-  if (componel.task()->type == kMapArea) return map_area(effect.task);
-  if (componel.task()->type == kFollow) return follow(effect.task);
-  const Duration done = done_[effect.task];
+  const interaction::Componel& componel = automaton[*automaton.find(name)];
+  if (componel.task()->type == kMapArea) return map_area(name);
+  if (componel.task()->type == kFollow) return follow(name);
+  const Duration done = done_[name];
   const Duration wanted = duration_of(*componel.task(), *play_);
-  if (wanted > Duration() && wanted - done < kNothing) {
-    return tell_status(effect.task, Word::kEnded);
-  }
+  if (wanted > Duration() && wanted - done < kNothing) return tell_status(name, Word::kEnded);
   const Outlook outlook = this->outlook();
   auto task = make_task(componel, my_.joint.subject,
                         {*play_, outlook, sightings_.own()->state, done, my_.allocation});
-  if (!task) return fail(effect.task, task.error().why);
-  give(effect.task, std::move(*task));
+  if (!task) return fail(name, task.error().why);
+  give(name, std::move(*task));
+}
+
+// Few roles say what comes then; the others would wait for its end for ever.
+bool JointPlay::begins_again(const std::string& componel, Duration ran) {
+  constexpr int kTries = 3;
+  if (ran < kAtOnce || my_.phase != JointPhase::kRunning || next_role_) return false;
+  if (++given_up_[componel] >= kTries) return false;
+  host_.bus().emit(Notice{my_.joint.subject + ": " + componel + " is begun again"});
+  run(componel);
+  return true;
+}
+
+// Once the role has heard of it.
+void JointPlay::leave_if_stuck(const std::string& componel, const std::string& why) {
+  host_.bus().post([this, componel, why, number = plays_] {
+    const bool plays = number == plays_ && play_ && my_.phase == JointPhase::kRunning;
+    if (plays && !play_->goes_on()) task_.leave(componel + ": " + why);
+  });
 }
 
 void JointPlay::fail(const std::string& componel, const std::string& why) {
@@ -280,6 +298,10 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   tasks_.erase(found);
   const bool ended = event.state == executive::TaskState::kEnded;
   const bool asked = interrupted_.erase(event.id) > 0;
+  const bool blind = blind_.erase(event.id) > 0;
+  const bool by_vehicle =
+      !ended && !asked && (blind || event.cause == executive::AbortCause::kOther);
+  if (by_vehicle && begins_again(componel, ran)) return;
   if (!ended && !asked) failed_.try_emplace(componel, event.reason);
   if (ended && is_mapping(play_->automaton(), componel)) share_.flown();
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);
@@ -290,6 +312,7 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   } else if (!asked) {
     leave_if_in_vain(componel, event.reason);
   }
+  if (by_vehicle) leave_if_stuck(componel, event.reason);
 }
 
 Duration JointPlay::note_done(const std::string& componel) {

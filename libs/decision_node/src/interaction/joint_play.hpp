@@ -86,9 +86,18 @@ class JointPlay {
   /// Gives the executive a task of the role; returns its id.
   executive::TaskId give(const std::string& componel, executive::Task task,
                          std::optional<executive::TaskId> along = {});
+  /// A task of the role: to the executive, or over at once.
+  void run(const std::string& componel);
+  /// Whether a task that the vehicle gave up after it `ran` is tried anew.
+  bool begins_again(const std::string& componel, Duration ran);
+  /// Leaves a role that has nothing more to do after this task was given up.
+  void leave_if_stuck(const std::string& componel, const std::string& why);
   void carry_out(const interaction::StateChanged& effect);
   void carry_out(const interaction::Compute& effect);
-  void carry_out(const interaction::Run& effect);
+  void carry_out(const interaction::Run& effect) {
+    given_up_.erase(effect.task);
+    run(effect.task);
+  }
   void carry_out(const interaction::Negotiate& effect);
   void carry_out(const interaction::Interrupt& effect);
   void carry_out(const interaction::Withdraw& effect);
@@ -156,8 +165,10 @@ class JointPlay {
   };
   std::optional<Again> sharing_again_, places_again_;
   std::set<std::string> fails_at_once_;  ///< componels whose last task failed as soon as it began
+  std::map<std::string, int> given_up_;  ///< how often by the vehicle, since the role asked for it
   std::map<executive::TaskId, executive::TaskId>
       looks_;                                  ///< unfinished perceptions to their flights
+  std::set<executive::TaskId> blind_;          ///< flights aborted since their perception was
   std::map<std::string, std::string> failed_;  ///< reason of the last failure, by componel
 };
 

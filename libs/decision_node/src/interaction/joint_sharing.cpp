@@ -107,6 +107,7 @@ void JointPlay::look_changed(const executive::TaskEvent& event) {
   const auto flown = tasks_.find(flight);
   if (flown == tasks_.end() || event.state == executive::TaskState::kEnded) return;
   failed_[flown->second] = event.reason;
+  blind_.insert(flight);
   host_.run(executive::Abort{flight});
 }
 

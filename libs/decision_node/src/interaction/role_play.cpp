@@ -127,6 +127,17 @@ std::vector<std::string> RolePlay::active_blocks() const {
   return blocks;
 }
 
+bool RolePlay::goes_on() const {
+  if (engine_.is_over() || engine_.next_wakeup()) return true;
+  for (ComponelIndex i = 0; i < automaton().size(); ++i) {
+    const bool block = automaton()[i].block() != nullptr;
+    const interaction::ComponelState state = engine_.state(i);
+    if (!block && (state == interaction::ComponelState::kScheduled || is_active(state)))
+      return true;
+  }
+  return false;
+}
+
 std::vector<std::string> RolePlay::violated() const {
   std::vector<std::string> all;
   for (const auto& [id, monitor] : monitors_) {

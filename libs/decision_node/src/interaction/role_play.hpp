@@ -48,6 +48,9 @@ class RolePlay {
 
   const interaction::Automaton& automaton() const { return engine_.automaton(); }
   std::vector<std::string> active_blocks() const;
+  /// Whether a task or an action of the role is under way or about to be, or an instant will come
+  /// that it waits for: else only a message can let it go on.
+  bool goes_on() const;
   std::vector<std::string> violated() const;
   /// The block with this local parameter, and how it is computed.
   struct Local {
