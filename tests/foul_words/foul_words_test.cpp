@@ -77,15 +77,23 @@ TEST(Fouler, ChangesManySamplesAndMakesNoneMalformed) {
   EXPECT_GT(changed, 100);
 }
 
-class FoulWords : public ::testing::TestWithParam<Case> {};
+class FoulWords : public ::testing::TestWithParam<Case> {
+ protected:
+  enum class Hears { kAllButTheSimulator, kTheSimulator };
 
-TEST_P(FoulWords, EndNoNodeWhateverTheySay) {
-  const char* first = std::getenv("SKEIN_FIRST_SEED");
-  const std::uint64_t from = first != nullptr ? std::stoull(first) : GetParam().first;
-  const auto seeds = cases<std::uint64_t>(3, 200);
-  for (std::uint64_t seed = from; seed < from + seeds; ++seed) {
-    // A broken contract ends this program: the last seed that was said is the one.
-    std::cout << GetParam().scenario << " seed " << seed << std::endl;
+  /// A broken contract ends this program: the last seed that was said is the one.
+  static void play_each(Hears who) {
+    const char* first = std::getenv("SKEIN_FIRST_SEED");
+    const std::uint64_t from = first != nullptr ? std::stoull(first) : GetParam().first;
+    const auto seeds = cases<std::uint64_t>(3, 200);
+    for (std::uint64_t seed = from; seed < from + seeds; ++seed) {
+      std::cout << GetParam().scenario << " seed " << seed << std::endl;
+      EXPECT_GT(steps_of(seed, who), 100U);
+    }
+  }
+
+ private:
+  static std::uint64_t steps_of(std::uint64_t seed, Hears who) {
     const scenario::Scenario scenario = scenario_at(GetParam().scenario, with(seed));
     const assembly::NodeMaker make(scenario);
     node::VirtualConfig config = assembly::virtual_config(scenario);
@@ -93,16 +101,16 @@ TEST_P(FoulWords, EndNoNodeWhateverTheySay) {
     Random random(seed);
     const double foul = random.uniform(0.005, 0.2);
     const auto hard_of_hearing = [&](const std::string& name) -> std::unique_ptr<node::Node> {
-      if (name == "sim") return make(name);
+      if ((name == "sim") != (who == Hears::kTheSimulator)) return make(name);
       return std::make_unique<HardOfHearing>(make(name), random.bits(), foul);
     };
-
-    const auto outcome =
-        node::run_virtual(make.roster(), hard_of_hearing, config, [](const auto&) {});
-
-    EXPECT_GT(outcome.steps, 100U);
+    return node::run_virtual(make.roster(), hard_of_hearing, config, [](const auto&) {}).steps;
   }
-}
+};
+
+TEST_P(FoulWords, EndNoNodeWhateverTheySay) { play_each(Hears::kAllButTheSimulator); }
+
+TEST_P(FoulWords, EndNoSimulatorThatHearsThem) { play_each(Hears::kTheSimulator); }
 
 INSTANTIATE_TEST_SUITE_P(Of, FoulWords,
                          ::testing::Values(Case{"comets/confirmed", 900}, Case{"team/two", 600},
