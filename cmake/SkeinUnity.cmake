@@ -1,9 +1,9 @@
-# Unity builds (SKEIN_UNITY, on in the presets release, ci, asan and tsan): up to eight neighbouring
-# sources of a target are compiled as one, which halves the processor time of a full build.
+# Unity builds (SKEIN_UNITY, on in all presets but dev): up to eight neighbouring sources of a target are
+# compiled as one, which halves the processor time of a full build.
 #
 # Sources whose own names (of an unnamed namespace, or made visible by `using`) collide with those of a
 # neighbour are listed in cmake/compiled_apart.txt, a path a line, and are compiled by themselves. The
-# presets dev and fuzz compile every source so.
+# preset dev compiles every source so.
 option(SKEIN_UNITY "Compile neighbouring sources together" OFF)
 set(SKEIN_UNITY_BATCH 8)
 

@@ -268,7 +268,8 @@ void Review::check_facts(const std::vector<Expression>& used) {
     asked[bits].insert(count(atom) - 1);
   }
   for (const auto& [made, fact] : arities_) {
-    const auto& [bits, given] = made;
+    const std::uint32_t bits = made.first;
+    const std::size_t given = made.second;
     const auto known = asked.find(bits);
     if (!fact || known == asked.end() || open.contains(bits)) continue;
     const std::set<std::size_t>& arities = known->second;

@@ -19,6 +19,12 @@ namespace skein::htn {
 using FactIndex = std::uint32_t;
 inline constexpr FactIndex kNoFact = 0xFFFFFFFFU;
 
+/// The neighbours of a fact in a list of facts.
+struct FactLink {
+  FactIndex previous = kNoFact;
+  FactIndex next = kNoFact;
+};
+
 /// Facts in force, per predicate as a list with the newest first, as SHOP3's `:mixed` states have
 /// them: a fact whose deletion is undone comes back at the front. Indexes are made when a goal
 /// first asks for one: for the arguments, and for the items of arguments that are lists.
@@ -51,7 +57,7 @@ class FactBase {
   /// A list of facts in force: those of a predicate or of one bucket of one of its indexes.
   struct Cursor {
     FactIndex fact = kNoFact;
-    const std::vector<struct FactLink>* links = nullptr;
+    const std::vector<FactLink>* links = nullptr;
   };
   Cursor all(Term predicate) const;
   struct Candidates {
@@ -96,11 +102,11 @@ class FactBase {
     tsl::robin_map<std::uint32_t, std::uint32_t> numbers;  // of buckets, by the bits of the value
     std::vector<Bucket> buckets;
     std::vector<std::uint32_t> bucket_of;  // by Fact::local; kNoFact: nothing stands there
-    std::vector<struct FactLink> links;    // by Fact::local
+    std::vector<FactLink> links;           // by Fact::local
   };
   struct Predicate {
     Bucket all;
-    std::vector<struct FactLink> links;
+    std::vector<FactLink> links;
     std::vector<FactIndex> facts;                 // by Fact::local
     std::vector<std::unique_ptr<Index>> indexes;  // never moved: cursors point into them
   };
@@ -123,8 +129,8 @@ class FactBase {
   void grow_table();
   void insert(FactIndex fact);
   void erase(FactIndex fact);
-  void link(Bucket& bucket, std::vector<struct FactLink>& links, const Fact& fact, FactIndex index);
-  void unlink(Bucket& bucket, std::vector<struct FactLink>& links, const Fact& fact);
+  void link(Bucket& bucket, std::vector<FactLink>& links, const Fact& fact, FactIndex index);
+  void unlink(Bucket& bucket, std::vector<FactLink>& links, const Fact& fact);
   std::optional<Term> value_at(const Fact& fact, Path path) const;
   std::uint32_t bucket_for(Index& index, const Fact& fact) const;
   Index& index_for(Predicate& predicate, Path path);
@@ -143,11 +149,6 @@ class FactBase {
   std::vector<Undo> trail_;
   std::vector<StepIndex> deleter_;  // by fact, while recording
   bool recording_ = false;
-};
-
-struct FactLink {
-  FactIndex previous = kNoFact;
-  FactIndex next = kNoFact;
 };
 
 template <class Known>

@@ -178,11 +178,11 @@ JointTasks tell_joint_tasks(const Journal& journal, const Chronology& story) {
       teller.see_scm(seconds(scm->stamp), scm->line);
     }
   };
-  for (const auto& [stamp, line] : journal.joints) {
+  for (const auto& joint : journal.joints) {
     see_scms([&](const Stamp& other) {
-      return std::tie(other.at, other.line) < std::tie(stamp.at, stamp.line);
+      return std::tie(other.at, other.line) < std::tie(joint.stamp.at, joint.stamp.line);
     });
-    teller.see_joint(seconds(stamp), line);
+    teller.see_joint(seconds(joint.stamp), joint.line);
   }
   see_scms([](const Stamp&) { return true; });
   for (const auto& [stamp, line] : journal.places) teller.see_place(seconds(stamp), line);
