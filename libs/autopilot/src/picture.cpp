@@ -46,7 +46,7 @@ void Picture::hear(const mavlink::GlobalPositionInt& position, Duration now) {
   if (no_fix || !possible) return;
   position_ = position;
   position_at_ = now;
-  home_height_ = (position.alt - position.relative_alt) / 1e3;
+  home_height_ = position.alt / 1e3 - position.relative_alt / 1e3;
   settle();
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numbers>
 
 #include "mav.hpp"
@@ -104,6 +105,16 @@ TEST_F(PictureTest, WithoutAHeadingTheAttitudeSaysIt) {
   picture_.hear(north);
 
   EXPECT_NEAR(picture_.state().heading, std::numbers::pi / 2, 1e-6);
+}
+
+TEST_F(PictureTest, HeightsAtTheEndsOfTheirRangeAreFigures) {
+  mavlink::GlobalPositionInt far = position({0, 0, 120});
+  far.alt = std::numeric_limits<std::int32_t>::max();
+  far.relative_alt = std::numeric_limits<std::int32_t>::min();
+  picture_.hear(far, at(0));
+
+  EXPECT_NEAR(picture_.home_height(), 4'294'967.295, 1e-3);
+  EXPECT_TRUE(picture_.state().position.allFinite());
 }
 
 TEST_F(PictureTest, NoFixIsNoPlace) {
