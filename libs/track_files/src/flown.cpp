@@ -14,7 +14,7 @@ namespace {
 using journal::Record;
 
 std::string fixed(double value, int decimals) {
-  std::array<char, 64> text{};
+  std::array<char, 330> text{};  // the greatest double has 309 digits before the point
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
                                  std::chars_format::fixed, decimals);
   return {text.data(), end.ptr};

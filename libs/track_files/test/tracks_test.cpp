@@ -199,6 +199,14 @@ TEST_F(Tracks, NamesThatLookLikeMarkupAreText) {
   EXPECT_EQ(gpx->GetLayerByName("tracks")->GetFeatureCount(), 1);
 }
 
+TEST_F(Tracks, APositionFarFromEarthIsWrittenInWhole) {
+  fly("marvin", 0, {0, 0, 1e300});
+  fly("marvin", 1, {0, 0, -1e308});
+
+  for (const std::string& file : {to_kml(info_, records_), to_gpx(info_, records_)})
+    EXPECT_EQ(file.find('\0'), std::string::npos);
+}
+
 TEST_F(Tracks, ARunInWhichNobodyWasSeenIsAFileWithoutTracks) {
   const Dataset dataset = open(to_gpx(info_, {}), "run.gpx", "GPX");
 
