@@ -10,6 +10,7 @@
 
 #include "history.hpp"
 #include "limits.hpp"
+#include "request_body.hpp"
 #include "server.hpp"
 
 namespace skein::console {
@@ -20,8 +21,6 @@ using Json = nlohmann::json;
 
 /// Steady; how often the clock and what waits in the feed go out at most.
 constexpr Duration kPeriod = Duration::milliseconds(100);
-/// Of the header: a station beside those at the shell, which choose theirs at random.
-constexpr std::uint32_t kInstance = 1;
 
 bool is_loopback(const std::string& address) { return address.starts_with("127."); }
 
@@ -39,35 +38,6 @@ std::string dumped(const Json& json) {
 
 Posted refused(unsigned status, std::vector<std::string> problems) {
   return {status, dumped({{"problems", problems}})};
-}
-
-/// The request that a body says, or every problem.
-Result<wire::OperatorRequest, std::vector<std::string>> request_of(const std::string& body) {
-  const Json said = Json::parse(body, nullptr, false);
-  std::vector<std::string> problems;
-  if (!said.is_object()) return tl::unexpected(std::vector<std::string>{"expected a JSON object"});
-  wire::OperatorRequest request;
-  if (said.contains("who") && said["who"].is_string()) {
-    request.who = said["who"].get<std::string>();
-  } else {
-    problems.emplace_back("who: expected an operator's name");
-  }
-  if (said.contains("number") && said["number"].is_number_unsigned()) {
-    request.number = said["number"].get<std::uint64_t>();
-  } else {
-    problems.emplace_back("number: expected a whole number that grows from request to request");
-  }
-  if (said.contains("actions") && said["actions"].is_array()) {
-    request.request = dumped(said["actions"]);
-  } else {
-    problems.emplace_back("actions: expected a list");
-  }
-  if (!problems.empty()) return tl::unexpected(std::move(problems));
-  if (const auto wrong = wire::find_violation(request)) {
-    return tl::unexpected(std::vector<std::string>{wrong->field + ": " + wrong->why});
-  }
-  request.header.instance = kInstance;
-  return request;
 }
 
 /// The page shows the way to it.

@@ -10,6 +10,7 @@
 #include "json.hpp"
 #include "scm_grid.hpp"
 #include "skein/config/parse.hpp"
+#include "skein/console/nesting.hpp"
 #include "skein/foundation/fingerprint.hpp"
 #include "skein/interaction/read_library.hpp"
 #include "skein/model_tool/check_models.hpp"
@@ -23,7 +24,6 @@ namespace fs = std::filesystem;
 using console::Answer;
 
 constexpr std::size_t kMostBytes = 262'144;  // of one file
-constexpr int kDeepest = 64;                 // of what is asked
 
 std::optional<std::string> read_file(const std::string& file) {
   std::error_code error;
@@ -65,27 +65,8 @@ Answer problem(unsigned status, const std::string& why) {
   return answer_of(status, {{"problems", {why}}});
 }
 
-/// Deeper than anything that is meant well: what reads it would go as deep.
-bool is_too_deep(const std::string& text) {
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (quoted) {
-      if (text[i] == '\\') ++i;
-      if (i < text.size() && text[i] == '"') quoted = false;
-    } else if (text[i] == '"') {
-      quoted = true;
-    } else if (text[i] == '[' || text[i] == '{') {
-      if (++depth > kDeepest) return true;
-    } else if (text[i] == ']' || text[i] == '}') {
-      --depth;
-    }
-  }
-  return false;
-}
-
 Result<Json, Failure> asked_in(const std::string& body) {
-  if (is_too_deep(body)) return failure("nested too deeply");
+  if (console::is_too_deep(body)) return failure("nested too deeply");
   Json asked = Json::parse(body, nullptr, false);
   if (!asked.is_object()) return failure("expected a JSON object");
   return asked;

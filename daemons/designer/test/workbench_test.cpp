@@ -260,6 +260,15 @@ INSTANTIATE_TEST_SUITE_P(
                       Bad{"NoGrid", "scm", "{}"}),
     [](const auto& one) { return one.param.name; });
 
+TEST_F(AWorkbench, RefusesWhatIsNestedTooDeeplyWhateverStandsBefore) {
+  const std::string deep = std::string(300'000, '[') + std::string(300'000, ']');
+  const std::string edit = R"({"file":")" + path("watch.yaml") + R"(","set":["x"],"value":)" + deep;
+  for (const char* before : {"", R"("note":"\"",)", R"("note":"\\",)"}) {
+    const std::string body = "{" + std::string(before) + R"("edits":[)" + edit + "}]}";
+    EXPECT_EQ(bench().answer("POST", "/api/designer/look", body).status, 400U) << before;
+  }
+}
+
 TEST_F(AWorkbench, WhatIsNoEditIsToldSo) {
   const std::string here = path("watch.yaml");
   for (const char* edit : {"3", R"({"file": 1, "set": []})", R"({"set": ["a"]})"}) {
