@@ -97,7 +97,8 @@ std::optional<functional::Status> Vehicle::interrupt(functional::TaskId task) {
     stop(task);
     return std::nullopt;
   }
-  return functional::Status{task, functional::TaskState::kAborted, "interrupted before it began"};
+  return functional::Status{task, functional::TaskState::kAborted,
+                            "interrupted while the vehicle was not at it"};
 }
 
 void Vehicle::release() {

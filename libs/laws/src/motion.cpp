@@ -147,6 +147,25 @@ double might_begin_for(const History& history, const std::string& name, double s
   return seconds;
 }
 
+// The longest that one flight of somebody for whom it waited took of that time [s].
+double longest_flight_of_others(const History& history, const std::string& name, double since,
+                                double until) {
+  double longest = 0;
+  for (const AirWait& wait : history.air.waits) {
+    if (wait.uav != name || wait.at < since || wait.at > until) continue;
+    for (const std::string& other : wait.for_others) {
+      const auto known = history.uavs.find(other);
+      if (known == history.uavs.end()) continue;
+      for (const auto& [task, motion] : known->second.executions) {
+        if (motion.type != "goto") continue;
+        const double from = std::max(since, begun(known->second, motion));
+        longest = std::max(longest, std::min(until, motion.over) - from);
+      }
+    }
+  }
+  return longest;
+}
+
 // Given up one after the other: who does not wait for ever with one motion may do so with many.
 void given_up_in_vain(const History& history, const Uav& uav, std::vector<Violation>& result) {
   constexpr double kLongest = 1500;  // [s] of a goal, in all: three tries, and flights aside
@@ -171,8 +190,8 @@ void given_up_in_vain(const History& history, const Uav& uav, std::vector<Violat
 
 std::vector<Violation> motions_never_begun(const History& history) {
   constexpr const char* kNotBegun = " is given to the vehicle and does not begin for ";
-  constexpr double kLongest = 900;  // [s] of waiting for the air of a way, beside blimps, while
-                                    // the ground station is in reach
+  constexpr double kLongest = 900;  // [s] of waiting for the air of a way, beside blimps and the
+                                    // longest sweep of another, while the ground is in reach
   std::vector<Violation> result;
   if (!history.dead.empty() || somebody_holds(history)) return result;
   for (const auto& [name, uav] : history.uavs) {
@@ -180,7 +199,8 @@ std::vector<Violation> motions_never_begun(const History& history) {
     for (const auto& [task, motion] : uav.executions) {
       if (motion.started == kNever || !motion.is_motion() || motion.type == "wait") continue;
       const double until = std::min({begun(uav, motion), motion.over, history.end});
-      if (might_begin_for(history, name, motion.started, until) <= kLongest) continue;
+      const double beside = longest_flight_of_others(history, name, motion.started, until);
+      if (might_begin_for(history, name, motion.started, until) - beside <= kLongest) continue;
       result.push_back(
           {"", motion.started, name, uav.goal_of_task(task),
            named(uav, task, motion.type) + kNotBegun + figure(until - motion.started) + " s"});

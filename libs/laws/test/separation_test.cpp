@@ -146,6 +146,20 @@ TEST(BeginsLaw, OneThatWaitsForSomebodyWhomNobodyHearsDoesNot) {
   EXPECT_THAT(broken(500), ElementsAre(HasSubstr("does not begin for 1890.0 s")));
 }
 
+// Found by random missions (--sweepers 911226): its home was in the air of a blimp's sweep of 17
+// min.
+TEST(BeginsLaw, OneThatWaitsForASweepOfAnotherDoesNotUntilThatIsOver) {
+  const auto broken = [](double swept) {
+    Story story = asked();
+    story.does("marvin", {7, "goto", 0, 10, 2000, "ended", "", {}, "", 1900});
+    story.air("marvin", 11, "waits", "heliv to leave");
+    story.does("heliv", {9, "goto", 0, 5, swept, "ended", "", {}, "", 6});
+    return story.broken("begins");
+  };
+  EXPECT_THAT(broken(1050), IsEmpty());
+  EXPECT_THAT(broken(850), ElementsAre(HasSubstr("does not begin for 1890.0 s")));
+}
+
 // Six minutes each, and none is flown.
 Story gives_up(int times) {
   Story story = asked();

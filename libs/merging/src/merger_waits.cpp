@@ -44,9 +44,14 @@ std::vector<Merger::Waiter> Merger::waiters() const {
     const std::vector<std::string>& for_whom = peer.claim.waits_for;
     if (!is_among(for_whom, self_)) continue;
     if (!overlap(held_, peer.claim.wanted)) continue;
-    all.push_back({name, overlap({held_.back()}, peer.claim.wanted)});
+    all.push_back({name, overlap({held_.back()}, peer.claim.wanted), waits_longer(peer)});
   }
   return all;
+}
+
+bool Merger::flies(const std::string& peer) const {
+  const auto known = peers_.find(peer);
+  return known != peers_.end() && known->second.reachable && known->second.claim.held.size() > 1;
 }
 
 std::vector<Waits::Why> Merger::whys() const {

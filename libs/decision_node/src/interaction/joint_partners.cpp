@@ -122,11 +122,18 @@ void JointTask::partner_told(const interaction::JointTaskStatus& status, Mission
                     status.phase == JointPhase::kNotLoaded;
   // What it said before the roles were agreed is about an attempt before this one.
   if (!roles_known_ || at <= agreed_at_) return;
+  if (status.phase == JointPhase::kEnded) ended_.insert(status.uav);
   play_.partner_has_left(status.uav, status.left);
   if (!gone) return;
   const std::string why = "'" + status.uav + "' left: " + status.why;
   if (my_.phase == JointPhase::kRunning) return lost(status.uav, why);
   if (my_.phase == JointPhase::kLoading || my_.phase == JointPhase::kLoaded) load_again(why);
+}
+
+bool JointTask::partners_have_ended() const {
+  return std::all_of(my_.holders.begin(), my_.holders.end(), [&](const auto& one) {
+    return one.first == self() || ended_.contains(one.first);
+  });
 }
 
 // It has not begun: the partner may come back to it.

@@ -243,6 +243,15 @@ void JointPlay::fail(const std::string& componel, const std::string& why) {
   leave_if_in_vain(componel, why);
 }
 
+// What was to be done together is done. A role that is not over by this has something left to do.
+void JointPlay::stay_without_air(const std::string& componel, const std::string& why) {
+  host_.bus().emit(Notice{my_.joint.subject + ": " + componel + ": " + why +
+                          "; its partners have ended, and it stays where it is"});
+  host_.bus().post([this, why, number = plays_] {
+    if (number == plays_ && !task_.over()) task_.leave(why);
+  });
+}
+
 // A loop begins anew in the same instant what failed as it began, and would for ever.
 void JointPlay::leave_if_in_vain(const std::string& componel, const std::string& why) {
   if (!fails_at_once_.insert(componel).second) task_.leave(componel + ": " + why);
@@ -302,11 +311,14 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   const bool by_vehicle =
       !ended && !asked && (blind || event.cause == executive::AbortCause::kOther);
   if (by_vehicle && begins_again(componel, ran)) return;
-  if (!ended && !asked) failed_.try_emplace(componel, event.reason);
+  const bool has_no_air = event.cause == executive::AbortCause::kNoAir;
+  const bool is_last = has_no_air && task_.partners_have_ended();
+  if (!ended && !asked && !is_last) failed_.try_emplace(componel, event.reason);
   if (ended && is_mapping(play_->automaton(), componel)) share_.flown();
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);
+  if (is_last) return stay_without_air(componel, event.reason);
   // Else it would wait for its partner in a later meeting of the role, and that for it in this one.
-  if (event.cause == executive::AbortCause::kNoAir) return task_.leave(event.reason);
+  if (has_no_air) return task_.leave(event.reason);
   if (ended || ran >= kAtOnce) {
     fails_at_once_.erase(componel);
   } else if (!asked) {

@@ -107,6 +107,8 @@ class JointPlay {
                     const interaction::NegotiationOutcome& outcome);
   /// How long the componel's task ran.
   Duration note_done(const std::string& componel);
+  /// After a flight that got no air once all partners had ended: the role is over, or left.
+  void stay_without_air(const std::string& componel, const std::string& why);
   /// Leaves the joint task after a task that failed as soon as it began.
   void leave_if_in_vain(const std::string& componel, const std::string& why);
   void negotiate_roles(const std::string& action, const std::string& modality);

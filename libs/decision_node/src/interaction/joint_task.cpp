@@ -223,6 +223,7 @@ void JointTask::roles_agreed(const interaction::Terms& terms, const interaction:
   for (const interaction::Row& row : result) my_.holders[row.name] = row.text;
   my_.allocation = to_text(terms.id());
   agreed_at_ = now();
+  ended_.clear();
   roles_known_ = true;
   negotiate_start();
 }

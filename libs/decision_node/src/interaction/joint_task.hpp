@@ -35,6 +35,9 @@ class Interaction;
 /// out if the model has a variant for the remaining members. Else one that is out of reach is
 /// waited for until it is given up (Partners); where it takes no part, the task is not loaded.
 ///
+/// A role whose flight gets no air is left, but once all partners have ended it ends where the
+/// vehicle is.
+///
 /// A failed negotiation is repeated until the latest start (Retries). If other roles are agreed
 /// while the task runs, the new role begins once the running tasks of the old one are over. Source:
 /// T IV.3, T V.3, spec 7.2 to 7.4.
@@ -75,6 +78,8 @@ class JointTask {
   void leave_at_once(const std::string& why);
   /// All members that were asked for it, except this UAV.
   std::vector<std::string> partners() const;
+  /// Whether every other holder of a role has told that it has ended.
+  bool partners_have_ended() const;
   /// The input for computing places and costs.
   Outlook outlook() const;
   /// Ends it in this phase. Precondition: its role is over, or not begun.
@@ -141,6 +146,7 @@ class JointTask {
   bool answered_ = false;  ///< the supervisor was told that it is loaded
   bool roles_known_ = false;
   MissionTime agreed_at_;
+  std::set<std::string> ended_;  ///< partners, since the roles were agreed
   Duration ahead_;  ///< time before the role's first action, added to the offered start
   std::optional<MissionTime> agreed_start_;
   MissionTime start_agreed_at_;

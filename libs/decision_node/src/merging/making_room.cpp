@@ -20,8 +20,8 @@ constexpr Duration kMakesRoom = Duration::milliseconds(1'000);
 /// Who waits for its air in closed air looks for other air to leave by after so long.
 constexpr Duration kLeavesClosedAir = Duration::milliseconds(1'000);
 
-/// Who waits for its air over where another is to take off or land gets out of the way after so
-/// long.
+/// Who waits for its air over where another is to take off or land, or where one wants to come that
+/// has waited long, gets out of the way after so long.
 constexpr Duration kLeavesPad = Duration::milliseconds(10'000);
 
 /// Of the UAV's own, for want of anything else.
@@ -29,6 +29,16 @@ bool waits_safely(Core& core, const executive::TaskStatus& task) {
   return task.type == "wait" && task.id < functional::kFirstRoleId && !is_terminal(task.state) &&
          task.state != executive::TaskState::kScheduled &&
          core.deliberation().origin_of(task.id) == mission::GoalId();
+}
+
+/// Of the plan, until orders come: wherever it is.
+bool waits_for_orders(Core& core, const executive::TaskStatus& task) {
+  if (task.type != "wait" || task.state != executive::TaskState::kRunning) return false;
+  if (!core.deliberation().possible()) return false;
+  const auto& planned = core.deliberation().report().tasks;
+  return std::any_of(planned.begin(), planned.end(), [&](const mission::PlannedTask& one) {
+    return one.task.id == task.id && one.task.open_ended;
+  });
 }
 
 /// A synchronisation, or a joint task that is not agreed on, or whose role keeps no place: it waits
@@ -45,16 +55,28 @@ std::vector<executive::TaskStatus> safe_waits(Core& core) {
   return waits;
 }
 
+/// The vehicle has it under way, and need not.
+std::optional<functional::TaskId> wait_for_orders(Core& core) {
+  const auto under_way = core.vehicle().under_way();
+  for (const executive::TaskStatus& one : core.execution().tasks()) {
+    const bool has = std::find(under_way.begin(), under_way.end(), one.id) != under_way.end();
+    if (has && waits_for_orders(core, one)) return one.id;
+  }
+  return std::nullopt;
+}
+
 /// Of what the UAV does nothing needs the vehicle where it stays. Below degree 4 it is where its
 /// operator has put it.
 bool has_nothing_to_do(Core& core) {
   if (!mission::deliberates(core.degree())) return false;
   const auto tasks = core.execution().tasks();
-  if (core.vehicle().under_way().size() > safe_waits(core).size()) return false;
+  const std::size_t idle = safe_waits(core).size() + (wait_for_orders(core) ? 1 : 0);
+  if (core.vehicle().under_way().size() > idle) return false;
   return std::none_of(tasks.begin(), tasks.end(), [&](const executive::TaskStatus& one) {
     const bool waits = one.state == executive::TaskState::kScheduled;
     if (waits || is_terminal(one.state) || one.id >= executive::kFirstBackgroundId) return false;
-    return !waits_safely(core, one) && !waits_for_partners(core, one);
+    return !waits_safely(core, one) && !waits_for_orders(core, one) &&
+           !waits_for_partners(core, one);
   });
 }
 
@@ -76,6 +98,13 @@ bool is_over_a_pad(const merging::Merger& merger, const world::Terrain& terrain)
          });
 }
 
+/// One that has waited long wants to come where it stays.
+bool is_pressed(const merging::Merger& merger) {
+  const auto waiters = merger.waiters();
+  return std::any_of(waiters.begin(), waiters.end(),
+                     [](const auto& one) { return one.for_its_place && one.presses; });
+}
+
 /// Closed air is where it stays, or on the circle that it flies there.
 bool is_in_closed_air(const world::Vector3& place, const world::VehicleModel& model,
                       const AirwaySituation& situation) {
@@ -89,11 +118,12 @@ bool is_in_closed_air(const world::Vector3& place, const world::VehicleModel& mo
 }
 
 /// Whether who waits there stays in closed air, or where others are to take off or land (who is to
-/// land there goes first), and how long it does so.
+/// land there goes first) or have waited long to come, and how long it does so.
 std::optional<Duration> patience_at(const world::Vector3& place, const merging::Merger& merger,
                                     const MergingConfig& config, const AirwaySituation& situation) {
   if (is_in_closed_air(place, config.model, situation)) return kLeavesClosedAir;
-  return is_over_a_pad(merger, *config.terrain) ? std::optional(kLeavesPad) : std::nullopt;
+  const bool is_wanted = is_over_a_pad(merger, *config.terrain) || is_pressed(merger);
+  return is_wanted ? std::optional(kLeavesPad) : std::nullopt;
 }
 
 bool is_aborting(const executive::TaskStatus& task) {
@@ -128,8 +158,8 @@ Airways ordered(Airways aside, bool only_leading, const Leads& leads) {
 void Merging::look_for_room() {
   const MissionTime now = core_.bus().now();
   if (waiting_) return leave_place();
-  const bool could = vehicle_.stays() && has_nothing_to_do(core_);
-  if (!could || !is_in_the_way(*merger_, !vehicle_.rest())) return room_since_.reset();
+  const bool is_wanted = vehicle_.stays() && is_in_the_way(*merger_, !vehicle_.rest());
+  if (!is_wanted || !has_nothing_to_do(core_)) return room_since_.reset();
   if (!room_since_) room_since_ = now;
   if (now < *room_since_ + kMakesRoom) return;
   const std::vector<executive::TaskStatus> waits = safe_waits(core_);
@@ -139,12 +169,23 @@ void Merging::look_for_room() {
     for (const executive::TaskStatus& one : waits) core_.execution().run(executive::Abort{one.id});
     return;
   }
+  if (!aside.empty() && leave_wait()) return;
   room_since_ = now;
   if (aside.empty()) return;
   waiting_ = waiting_since(now, aside.front().request);
   waiting_->aside_since = now;
   waiting_->makes_room = true;
   want(std::move(aside));
+}
+
+/// A wait for orders goes on at its executive, and not on the vehicle, which holds all the same
+/// where it gets out of the way. False: the vehicle has none.
+bool Merging::leave_wait() {
+  const auto wait = wait_for_orders(core_);
+  if (!wait) return false;
+  if (left_wait_ != wait) core_.vehicle().interrupt(*wait);
+  left_wait_ = wait;
+  return true;
 }
 
 /// It waits itself, for somebody who is in no circle with it: it gets out of the way as if there

@@ -24,6 +24,8 @@ constexpr Duration kRoleWaits = Duration::milliseconds(240'000);
 /// A way of the plan that is waited for longer is given up: the plan has something else to do, or
 /// somebody else can. Who waits has pressed for two minutes then.
 constexpr Duration kPlanWaits = Duration::milliseconds(360'000);
+/// Likewise while all in its way fly: they will leave. A sweep takes up to 20 min, three tries 24.
+constexpr Duration kPlanWaitsForFlights = Duration::milliseconds(480'000);
 
 bool is_aside(functional::TaskId task) {
   return task >= functional::kFirstAsideId && task < functional::kFirstBackgroundId;
@@ -45,9 +47,15 @@ bool may_be_given_up(Core& core, const functional::Request& request) {
 }
 
 /// How long it waits before it is given up; nothing: for good.
-std::optional<Duration> longest_wait(Core& core, const functional::Request& request) {
-  if (is_of_role(request.id)) return kRoleWaits;
-  return may_be_given_up(core, request) ? std::optional(kPlanWaits) : std::nullopt;
+std::optional<Duration> longest_wait(Core& core, const Waiting& waiting,
+                                     const merging::Merger& merger) {
+  if (is_of_role(waiting.request.id)) return kRoleWaits;
+  if (!may_be_given_up(core, waiting.request)) return std::nullopt;
+  const auto& names = waiting.in_its_way;
+  const bool for_flights =
+      !names.empty() && std::all_of(names.begin(), names.end(),
+                                    [&](const std::string& peer) { return merger.flies(peer); });
+  return for_flights ? kPlanWaitsForFlights : kPlanWaits;
 }
 
 /// Nothing is looked at on the way. A role of a joint task asks for its heights; over whoever stays
@@ -116,6 +124,10 @@ bool Merging::takes(const functional::Request& request) {
     if (portions_->running) core_.post_status({request.id, functional::TaskState::kRunning, ""});
     return true;
   }
+  if (left_wait_ == request.id) {
+    core_.post_status({request.id, functional::TaskState::kRunning, ""});
+    return true;
+  }
   if (waiting_ && waiting_->makes_room) stop_waiting();
   if (waiting_ && waiting_->request.id == request.id) {
     say_it_comes(core_, *waiting_, portions_);
@@ -142,6 +154,10 @@ bool Merging::may_be_raised(bool asked_long) const {
 }
 
 bool Merging::drop(functional::TaskId task) {
+  if (left_wait_ == task) {
+    left_wait_.reset();
+    return true;
+  }
   if (!waiting_ || waiting_->request.id != task) return false;
   stop_waiting();
   portions_.reset();
@@ -234,6 +250,7 @@ void Merging::begin(const Airway& airway, const std::string& state) {
 
 bool Merging::told(const functional::Status& status) {
   if (!merger_) return false;
+  if (left_wait_ == status.id && functional::is_terminal(status.state)) return true;
   if (runs_already_ == status.id && status.state == functional::TaskState::kRunning) {
     runs_already_.reset();  // an executive that takes it over is told
     return true;
@@ -312,7 +329,7 @@ void Merging::look_at_energy() {
                                   core_.bus().now(), seen.position))
     return;
   const std::string why = "its energy lasts no longer than to come home";
-  if (longest_wait(core_, waiting_->request))
+  if (longest_wait(core_, *waiting_, *merger_))
     return refuse(
         why + ", and others leave it no air: it waits for " + joined(waiting_->waits_for, "; "),
         functional::AbortCause::kNoAir);
@@ -326,7 +343,7 @@ void Merging::say_it_waits() {
   if (flies_portion()) return;
   if (waiting_) waiting_->note_waits(core_.bus());
   const bool asks = waiting_ && !waiting_->airways.empty();
-  const auto longest = asks ? longest_wait(core_, waiting_->request) : std::nullopt;
+  const auto longest = asks ? longest_wait(core_, *waiting_, *merger_) : std::nullopt;
   if (longest && core_.bus().now() >= waiting_->since + *longest)
     return refuse("others leave it no air: it waits for " + joined(waiting_->waits_for, "; "),
                   functional::AbortCause::kNoAir);

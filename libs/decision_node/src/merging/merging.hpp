@@ -78,6 +78,7 @@ class Merging final : public Component {
   Airways places_aside(const merging::Volumes& taken, const std::vector<double>& heights = {0});
   void look_for_room();
   void leave_place();
+  bool leave_wait();
   void stop_waiting();
   AirwaySituation situation() const;
 
@@ -91,6 +92,8 @@ class Merging final : public Component {
   std::optional<world::Vector3>
       place_;  ///< where it got out of the way from, and did not come back
   std::optional<MissionTime> room_since_;  ///< another one wants to go where it stays, since then
+  /// A wait for orders that the vehicle was stopped in to make room; it goes on at its executive.
+  std::optional<functional::TaskId> left_wait_;
   supervisor::AirOrders orders_;           ///< as the supervisor was told
   std::optional<functional::TaskId> runs_already_;        ///< a sweep that begins its last portion
   functional::TaskId aside_ = functional::kFirstAsideId;  ///< of the next flight out of the way

@@ -59,6 +59,10 @@ roles:
         - block: r12
           pre: [[{componel: r11, state: ended}]]
           content: [{task: r3, type: synchro, params: {senders: uavs, receivers: uavs}}]
+        - block: r13
+          end: immediate
+          pre: [[{componel: r12, state: over}]]
+          content: [{task: r4, type: goto, params: {to: ground}}]
 models:
   watching:
     variants:

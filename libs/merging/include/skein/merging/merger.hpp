@@ -177,8 +177,11 @@ class Merger {
   struct Waiter {
     std::string peer;
     bool for_its_place = false;  ///< it wants the place where this UAV stays, not only its way
+    bool presses = false;        ///< it has waited long, and longer than this UAV
   };
   std::vector<Waiter> waiters() const;
+  /// Whether the peer is under way, as far as known: it holds more than the air of one place.
+  bool flies(const std::string& peer) const;
   /// Where each peer stays, or will stay at the end of its way, as far as known.
   Volumes ends() const;
 
