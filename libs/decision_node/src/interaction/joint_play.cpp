@@ -85,6 +85,7 @@ void JointPlay::begin(const std::string& role) {
   fails_at_once_.clear();
   given_up_.clear();
   blind_.clear();
+  ended_.clear();
   sharing_again_.reset();
   places_again_.reset();
   roles_stand_until_.reset();
@@ -243,6 +244,15 @@ void JointPlay::fail(const std::string& componel, const std::string& why) {
   leave_if_in_vain(componel, why);
 }
 
+bool JointPlay::only_flights_are_left() const {
+  const interaction::Automaton& automaton = play_->automaton();
+  for (interaction::ComponelIndex i = 0; i < automaton.size(); ++i) {
+    const auto* task = automaton[i].task();
+    if (task != nullptr && task->type != "goto" && !ended_.contains(automaton[i].id)) return false;
+  }
+  return true;
+}
+
 // What was to be done together is done. A role that is not over by this has something left to do.
 void JointPlay::stay_without_air(const std::string& componel, const std::string& why) {
   host_.bus().emit(Notice{my_.joint.subject + ": " + componel + ": " + why +
@@ -312,7 +322,8 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
       !ended && !asked && (blind || event.cause == executive::AbortCause::kOther);
   if (by_vehicle && begins_again(componel, ran)) return;
   const bool has_no_air = event.cause == executive::AbortCause::kNoAir;
-  const bool is_last = has_no_air && task_.partners_have_ended();
+  if (ended) ended_.insert(componel);
+  const bool is_last = has_no_air && task_.partners_have_ended() && only_flights_are_left();
   if (!ended && !asked && !is_last) failed_.try_emplace(componel, event.reason);
   if (ended && is_mapping(play_->automaton(), componel)) share_.flown();
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);

@@ -107,6 +107,8 @@ class JointPlay {
                     const interaction::NegotiationOutcome& outcome);
   /// How long the componel's task ran.
   Duration note_done(const std::string& componel);
+  /// Whether all that the role does but fly from place to place was done.
+  bool only_flights_are_left() const;
   /// After a flight that got no air once all partners had ended: the role is over, or left.
   void stay_without_air(const std::string& componel, const std::string& why);
   /// Leaves the joint task after a task that failed as soon as it began.
@@ -170,6 +172,7 @@ class JointPlay {
   std::map<std::string, int> given_up_;  ///< how often by the vehicle, since the role asked for it
   std::map<executive::TaskId, executive::TaskId>
       looks_;                                  ///< unfinished perceptions to their flights
+  std::set<std::string> ended_;                ///< componels whose task ended well
   std::set<executive::TaskId> blind_;          ///< flights aborted since their perception was
   std::map<std::string, std::string> failed_;  ///< reason of the last failure, by componel
 };
