@@ -39,6 +39,9 @@ void ReadContext::enclose(Expression list, Expression from) const {
     made.first_child = from.node;
     made.begin = (*from).begin;
     made.end = (*list).end - 1;
+    // A list that the text does not close has no ')' behind the last.
+    for (NodeIndex at = from.node; at != kNoNode; at = document->nodes[at].next)
+      made.end = std::max(made.end, document->nodes[at].end);
     NodeIndex* link = &document->nodes[list.node].first_child;
     while (*link != from.node) link = &document->nodes[*link].next;
     *link = static_cast<NodeIndex>(document->nodes.size());
