@@ -138,6 +138,47 @@ TEST(ATaskOfARoleThatTheVehicleGivesUp, IsBegunAgain) {
   EXPECT_EQ(mission.untrue, "");
 }
 
+// Found by the same: of three who form a chain one dies, and hangs where another has to pass, which
+// leaves; the last one waited for both until the mission's limit.
+TEST(AMeetingOfRoles, DoesNotWaitForWhoHasLeft) {
+  scenario::Scenario scenario = scenario_at("agreed-places/chain", with(1));
+  scenario.separation->merge = true;
+
+  const Mission mission = play(scenario);
+
+  const auto left = mission.find({{"kind", "joint"}, {"uav", "uav1"}, {"phase", "aborted"}});
+  const auto met =
+      mission.find({{"kind", "task"}, {"uav", "uav2"}, {"type", "rendezvous"}, {"state", "ended"}});
+  ASSERT_FALSE(left.empty());
+  ASSERT_FALSE(met.empty());
+  EXPECT_GT(met.back().at(), left.front().at());
+  EXPECT_LT(met.back().at(), left.front().at() + Duration::seconds(30));
+  EXPECT_EQ(mission.end, End::kFinished);
+  EXPECT_EQ(mission.untrue, "");
+}
+
+// Found by the same: it knew nothing of the mapping, and its partner waited for it to be done.
+TEST(AMemberThatComesBackWithoutItsMemory, SaysThatItPlaysNoRole) {
+  scenario::Scenario scenario = scenario_at("area-sharing/one-lost", with(1));
+  scenario::KillSpec dies = scenario.faults.kills.front();
+  dies.at = MissionTime::seconds(1600);
+  dies.node = "swift";
+  dies.restart_after = Duration::seconds(5);
+  dies.forgets = true;
+  scenario.faults.kills.push_back(dies);
+
+  const Mission mission = play(scenario);
+
+  const auto said = mission.find({{"kind", "joint"},
+                                  {"uav", "swift"},
+                                  {"phase", "aborted"},
+                                  {"why", "it knows nothing of this any more"}});
+  ASSERT_FALSE(said.empty());
+  EXPECT_LT(said.front().at(), MissionTime::seconds(1620));
+  EXPECT_EQ(mission.count({{"kind", "goal"}, {"goal", "12"}, {"state", "achieved"}}), 1U);
+  EXPECT_EQ(mission.untrue, "");
+}
+
 TEST(ARoleWhoseTaskFailsAgainAndAgain, IsLeftWithTheReasonAndAnotherTakesIt) {
   scenario::Scenario scenario = scenario_at("mref/nominal");
   scenario.faults.breaks.push_back({MissionTime::seconds(300), "uav2", "visible"});

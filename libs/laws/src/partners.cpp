@@ -100,6 +100,20 @@ Limit limit_of(const History& history, const Uav& uav, const Execution& wait, co
           "does not plan to come since " + figure(*since) + " s"};
 }
 
+/// Whether it waits for all of that time: of a joint task that is played, whether its role does
+/// nothing but meet others.
+bool waits_in(const History& history, const Uav& uav, const Execution& wait, double from,
+              double until) {
+  constexpr double kLeaving = 10;  // [s]
+  if (!wait.type.starts_with("joint:") || wait.running == kNever) return true;
+  return std::ranges::any_of(history.joint.tasks, [&](const RoleTaskTold& told) {
+    const auto met = uav.executions.find(told.task);
+    return told.uav == uav.name() && met != uav.executions.end() &&
+           met->second.type == "rendezvous" && met->second.started <= from &&
+           met->second.over + kLeaving >= until;
+  });
+}
+
 }  // namespace
 
 std::vector<Violation> absent_partners_awaited(const History& history) {
@@ -116,6 +130,7 @@ std::vector<Violation> absent_partners_awaited(const History& history) {
         if (partner == history.uavs.end()) continue;
         const Limit limit = limit_of(history, uav, wait, goal->second, partner->second);
         if (until <= limit.ends + kMargin) continue;
+        if (!waits_in(history, uav, wait, limit.ends + kMargin, until)) continue;
         result.push_back({"", until, name, goal->first,
                           mission::to_text(goal->second.task) + " has waited until " +
                               figure(until) + " s for '" + other + "', which " + limit.why +

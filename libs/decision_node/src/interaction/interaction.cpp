@@ -2,6 +2,7 @@
 #include "interaction/interaction.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "interaction/role_air.hpp"
 #include "skein/foundation/joined.hpp"
@@ -213,9 +214,28 @@ void Interaction::hear(const JointTaskTold& told) {
     refusals_.try_emplace(about, Refusal{host_.bus().now(), {}}).first->second.why =
         told.status.why;
   }
+  bool known = false;
   for (const auto& [id, task] : tasks_) {
-    if (task->joint().subject == told.status.subject) task->partner_told(told.status, told.at);
+    if (task->joint().subject != told.status.subject) continue;
+    known = true;
+    task->partner_told(told.status, told.at);
   }
+  const bool counts_on_me = (phase == JointPhase::kLoaded || phase == JointPhase::kRunning) &&
+                            told.status.holders.contains(host_.config().uav);
+  if (!known && counts_on_me) disown(told.status);
+}
+
+// It had a role before it came back without its memory; nobody would wait for it for less than
+// ever.
+void Interaction::disown(interaction::JointTaskStatus status) {
+  const std::string partner = std::exchange(status.uav, host_.config().uav);
+  status.task = 0;
+  status.phase = interaction::JointPhase::kAborted;
+  status.why = "it knows nothing of this any more";
+  status.active_blocks.clear();
+  status.violated.clear();
+  status.left.clear();
+  host_.bus().emit(JointTaskChanged{std::move(status), {partner}});
 }
 
 void Interaction::time_passes() {

@@ -75,6 +75,8 @@ class Interaction final : public Component {
   void carry_out(const interaction::MessageRejected& effect);
   void stop_reckoning(const std::string& subject);
   void refuse(const supervisor::LoadJointTask& asked, const Joint& joint, const std::string& why);
+  /// Tells a partner that counts on this UAV that it plays no role.
+  void disown(interaction::JointTaskStatus status);
   void forget_what_is_over();
   JointTask::Before attempts_at(const std::string& subject) const;
   void give_up_closed_ways(const world::VehicleState& state);

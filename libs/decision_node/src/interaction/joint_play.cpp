@@ -84,6 +84,7 @@ void JointPlay::begin(const std::string& role) {
   following_.clear();
   fails_at_once_.clear();
   given_up_.clear();
+  renewed_.clear();
   blind_.clear();
   ended_.clear();
   sharing_again_.reset();
@@ -104,6 +105,9 @@ void JointPlay::tell(const interaction::Input& input) {
     for (const interaction::Effect& effect : *effects) {
       std::visit([this](const auto& one) { carry_out(one); }, effect.what);
     }
+    const auto* message = std::get_if<interaction::Message>(&input);
+    if (message != nullptr && message->text == kMemberLost && effects->empty())
+      meet_without_the_lost();
     task_.announce();
   });
 }
@@ -228,6 +232,17 @@ bool JointPlay::begins_again(const std::string& componel, Duration ran) {
   return true;
 }
 
+// The role itself does nothing about the loss: who waited for the lost would do so for ever.
+void JointPlay::meet_without_the_lost() {
+  const interaction::Automaton& automaton = play_->automaton();
+  for (const auto& [id, componel] : std::map(tasks_)) {
+    if (!is_meeting(*automaton[*automaton.find(componel)].task()) || interrupted_.contains(id))
+      continue;
+    renewed_.insert(id);
+    host_.run(executive::Abort{id});
+  }
+}
+
 // Once the role has heard of it.
 void JointPlay::leave_if_stuck(const std::string& componel, const std::string& why) {
   host_.bus().post([this, componel, why, number = plays_] {
@@ -316,6 +331,8 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   const Duration ran = note_done(componel);
   tasks_.erase(found);
   const bool ended = event.state == executive::TaskState::kEnded;
+  if (renewed_.erase(event.id) > 0 && !ended && interrupted_.erase(event.id) == 0)
+    return run(componel);
   const bool asked = interrupted_.erase(event.id) > 0;
   const bool blind = blind_.erase(event.id) > 0;
   const bool by_vehicle =

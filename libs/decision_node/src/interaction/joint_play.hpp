@@ -90,6 +90,8 @@ class JointPlay {
   void run(const std::string& componel);
   /// Whether a task that the vehicle gave up after it `ran` is tried anew.
   bool begins_again(const std::string& componel, Duration ran);
+  /// Begins meetings that are under way anew, without those who hold no role any more.
+  void meet_without_the_lost();
   /// Leaves a role that has nothing more to do after this task was given up.
   void leave_if_stuck(const std::string& componel, const std::string& why);
   void carry_out(const interaction::StateChanged& effect);
@@ -150,6 +152,7 @@ class JointPlay {
   /// After the members agreed that all keep their roles, no new role negotiation before this.
   std::optional<MissionTime> roles_stand_until_;
   std::set<executive::TaskId> interrupted_;  ///< by request of the role
+  std::set<executive::TaskId> renewed_;      ///< aborted, to be begun anew
   /// A target that is followed, and the place beside it.
   struct Following {
     std::string target;

@@ -22,8 +22,6 @@ constexpr double kNear = 1;  // [m]
 constexpr double kBeside = 30;
 constexpr double kTouchesWithin = 3;  // [m]
 
-bool meets(const std::string& type) { return type == "synchro" || type == "wait-until-synchro"; }
-
 Result<Argument, Failure> argument(const interaction::Task& task, const char* name,
                                    const RolePlay& play) {
   const config::Value* given = task.parameters.find(name);
@@ -117,7 +115,7 @@ std::size_t rank_of(const std::string& id, const interaction::Automaton& automat
   std::size_t rank = 0;
   for (const interaction::Componel& one : automaton.componels()) {
     if (one.id == id) return rank;
-    if (one.task() != nullptr && meets(one.task()->type)) ++rank;
+    if (one.task() != nullptr && is_meeting(*one.task())) ++rank;
   }
   return rank;
 }
@@ -146,6 +144,10 @@ Result<executive::Task, Failure> meeting_of(const interaction::Componel& compone
 }
 
 }  // namespace
+
+bool is_meeting(const interaction::Task& task) {
+  return task.type == "synchro" || task.type == "wait-until-synchro";
+}
 
 std::optional<world::Polygon> zone_of(const config::Value& named, const Arguments& scope,
                                       const world::World& world) {
@@ -190,7 +192,7 @@ Result<executive::Task, Failure> make_task(const interaction::Componel& componel
   const interaction::Task& role = *componel.task();
   if (role.type == "goto") return goto_of(role, context);
   if (role.type == "takeshot-while-waiting") return perception_of(role, context);
-  if (meets(role.type)) return meeting_of(componel, subject, context);
+  if (is_meeting(role)) return meeting_of(componel, subject, context);
   return failure("nobody carries out '" + role.type + "'");
 }
 

@@ -36,6 +36,9 @@ Result<executive::Task, Failure> make_task(const interaction::Componel& componel
                                            const std::string& subject,
                                            const RoleTaskContext& context);
 
+/// Whether it waits for other roles.
+bool is_meeting(const interaction::Task& task);
+
 /// The zone named by an expression of a role; nothing: there is no such zone.
 std::optional<world::Polygon> zone_of(const config::Value& named, const Arguments& scope,
                                       const world::World& world);
