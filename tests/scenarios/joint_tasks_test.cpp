@@ -179,6 +179,36 @@ TEST(AMemberThatComesBackWithoutItsMemory, SaysThatItPlaysNoRole) {
   EXPECT_EQ(mission.untrue, "");
 }
 
+// Found by the same (agreed-places/chain 415): who was to perceive did not get to its place, met
+// the others as if it had perceived, and all told the mission achieved.
+TEST(ARoleWhoseFirstFlightIsGivenUp, IsNotPlayedToItsEnd) {
+  scenario::Scenario scenario = scenario_at("agreed-places/chain", with(1));
+  scenario.faults.kills.clear();
+  scenario::AbortSpec refused{MissionTime::seconds(17), "uav2", "goto"};
+  refused.lasts = Duration::seconds(200);
+  scenario.faults.aborts.push_back(refused);
+
+  const Mission mission = play(scenario);
+
+  const auto left = mission.find({{"kind", "joint"}, {"uav", "uav2"}, {"phase", "aborted"}});
+  ASSERT_FALSE(left.empty());
+  EXPECT_LT(left.front().at(), MissionTime::seconds(100));
+  EXPECT_EQ(mission.untrue, "") << "as that it perceived";
+}
+
+// Its partner has had both roles by then.
+TEST(AMemberThatComesBackWithoutItsMemory, IsLostToOneThatHadAnotherRoleBefore) {
+  scenario::Scenario scenario = scenario_at("mref/very-large-move", with(1));
+  scenario::KillSpec dies{MissionTime::seconds(1077), "uav2", Duration::seconds(12)};
+  dies.forgets = true;
+  scenario.faults.kills.push_back(dies);
+
+  const Mission mission = play(scenario);
+
+  EXPECT_EQ(mission.count({{"kind", "joint"}, {"uav", "uav1"}, {"phase", "leaving"}}), 1U);
+  EXPECT_EQ(mission.untrue, "");
+}
+
 TEST(ARoleWhoseTaskFailsAgainAndAgain, IsLeftWithTheReasonAndAnotherTakesIt) {
   scenario::Scenario scenario = scenario_at("mref/nominal");
   scenario.faults.breaks.push_back({MissionTime::seconds(300), "uav2", "visible"});

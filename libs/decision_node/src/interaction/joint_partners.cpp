@@ -148,10 +148,25 @@ void JointTask::load_again(const std::string& why) {
   announce();
 }
 
-// It runs: without one that left, if the role can do without.
+namespace {
+
+/// Whether the joint task needs somebody in the role that this UAV held alone.
+bool is_the_only_one(const Membership& my, const std::string& uav) {
+  const std::string& role = my.holders.at(uav);
+  const auto arity = my.joint.variant->table.arities.find(role);
+  const auto held =
+      std::ranges::count_if(my.holders, [&](const auto& one) { return one.second == role; });
+  return held == 1 && arity != my.joint.variant->table.arities.end() && arity->second.least > 0;
+}
+
+}  // namespace
+
+// It runs: without one that left, if the role can do without. Of a role that nobody else holds all
+// have to agree anew.
 void JointTask::lost(const std::string& uav, const std::string& why) {
   if (!my_.holders.contains(uav) || uav == self()) return;
-  if (!play_.goes_on_without()) return leave(why);
+  const bool needed = is_the_only_one(my_, uav) && !play_.has_done_its_part();
+  if (!play_.goes_on_without() || needed) return leave(why);
   host_.bus().emit(Notice{my_.joint.subject + ": " + why + "; it goes on without"});
   my_.holders.erase(uav);
   play_.lose(uav);

@@ -162,6 +162,19 @@ void JointPlay::carry_out(const interaction::Compute& effect) {
 
 bool JointPlay::goes_on_without() const { return play_ && play_->listens_to(kMemberLost); }
 
+bool JointPlay::has_done_its_part() const {
+  if (!play_) return false;
+  const interaction::Automaton& automaton = play_->automaton();
+  return std::ranges::any_of(done_, [&](const auto& one) {
+    const auto& [componel, done] = one;
+    const auto found = automaton.find(componel);  // it may be of a role that it had before
+    const auto* task = found ? automaton[*found].task() : nullptr;
+    if (task == nullptr) return false;
+    const Duration wanted = duration_of(*task, *play_);
+    return wanted > Duration() && wanted - done < kNothing;
+  });
+}
+
 void JointPlay::lose(const std::string& uav) {
   roles_stand_until_.reset();
   play_->lose(uav);

@@ -63,6 +63,8 @@ class JointPlay {
   // ---- others ----
   /// Whether the role can go on without a member that left.
   bool goes_on_without() const;
+  /// Whether a task of the role was done for as long as was asked.
+  bool has_done_its_part() const;
   void lose(const std::string& uav);
   void partner_has_left(const std::string& uav, const interaction::Rows& rest) {
     share_.told(uav, rest);
