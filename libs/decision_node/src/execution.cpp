@@ -78,9 +78,8 @@ std::optional<MissionTime> Execution::next_wakeup() const {
   std::optional<MissionTime> next = executive_.next_wakeup();
   for (const executive::Wait& wait : waits()) {
     for (const std::string& uav : wait.awaited) {
-      if (!has_lease(uav)) continue;
-      next = earliest(next, core_.partners().gives_up_at(uav, wait.since));
-      next = earliest(next, stays_away_until(wait, uav));
+      next = earliest(next, gives_up_at(wait, uav));
+      if (has_lease(uav)) next = earliest(next, stays_away_until(wait, uav));
     }
   }
   return next;
@@ -90,6 +89,14 @@ std::optional<MissionTime> Execution::next_wakeup() const {
 // too.
 bool Execution::has_lease(const std::string& uav) const {
   return mission::deliberates(core_.degree()) && synchronises_directly(uav);
+}
+
+// Nor by way of a ground station that cannot be heard either.
+std::optional<MissionTime> Execution::gives_up_at(const executive::Wait& wait,
+                                                  const std::string& uav) const {
+  if (!mission::deliberates(core_.degree())) return std::nullopt;
+  return has_lease(uav) ? core_.partners().gives_up_at(uav, wait.since)
+                        : core_.partners().gives_up_past_ground_at(uav, wait.since);
 }
 
 // In reach and without the meeting in its plan it may get it yet, for as long as one that is silent
@@ -111,7 +118,8 @@ std::optional<std::string> Execution::why_given_up(const executive::Wait& wait,
                                                    const std::string& uav) {
   const MissionTime now = core_.bus().now();
   const bool leased = has_lease(uav);
-  if (leased || core_.partners().is_declared_lost(uav))
+  const auto silent_until = gives_up_at(wait, uav);
+  if ((silent_until && *silent_until <= now) || core_.partners().is_declared_lost(uav))
     if (auto why = core_.partners().given_up(uav, wait.since, now)) return why;
   const auto until = leased ? stays_away_until(wait, uav) : std::nullopt;
   if (!until || *until > now) return std::nullopt;

@@ -58,6 +58,8 @@ class Execution final : public Component {
   bool synchronises_directly(const std::string& uav) const;
   /// Whether a wait for `uav` ends after its lease: both deliberate, or nobody else would end it.
   bool has_lease(const std::string& uav) const;
+  /// When a silent UAV is waited for no longer; absent: it goes on waiting.
+  std::optional<MissionTime> gives_up_at(const executive::Wait& wait, const std::string& uav) const;
   std::optional<MissionTime> stays_away_until(const executive::Wait& wait,
                                               const std::string& uav) const;
   /// Why the partner is waited for no longer; absent: it is.

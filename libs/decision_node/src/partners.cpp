@@ -7,7 +7,11 @@
 namespace skein::decision_node {
 
 void Partners::contact(const Contact& contact, MissionTime now) {
-  if (contact.ground) return;
+  if (contact.ground) {
+    if (hears_ground_ && !contact.reachable) ground_silent_since_ = now;
+    hears_ground_ = contact.reachable;
+    return;
+  }
   if (contact.reachable) {
     silent_since_[contact.peer].reset();
     given_up_.erase(contact.peer);
@@ -27,6 +31,13 @@ std::optional<MissionTime> Partners::gives_up_at(const std::string& uav, Mission
   const auto silent = silent_since(uav);
   if (!silent) return std::nullopt;
   return given_up_.contains(uav) ? waits : std::max(*silent, waits) + lease_;
+}
+
+std::optional<MissionTime> Partners::gives_up_past_ground_at(const std::string& uav,
+                                                             MissionTime waits) const {
+  const auto alone = gives_up_at(uav, waits);
+  if (!alone || hears_ground_) return std::nullopt;
+  return std::max(*alone, ground_silent_since_ + lease_);
 }
 
 std::optional<std::string> Partners::given_up(const std::string& uav, MissionTime waits,

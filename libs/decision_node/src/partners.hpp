@@ -24,7 +24,7 @@ class Partners {
   explicit Partners(Duration lease) : lease_(lease) {}
 
   /// To be called first; nobody has been heard yet.
-  void start(MissionTime now) { born_ = now; }
+  void start(MissionTime now) { born_ = ground_silent_since_ = now; }
   void contact(const Contact& contact, MissionTime now);
   void declare_lost(const std::string& uav) { lost_.insert(uav); }
   void declare_found(const std::string& uav) { lost_.erase(uav); }
@@ -37,6 +37,10 @@ class Partners {
   std::optional<std::string> given_up(const std::string& uav, MissionTime waits, MissionTime now);
   /// When it will be so if the UAV stays silent; absent: the UAV is in reach.
   std::optional<MissionTime> gives_up_at(const std::string& uav, MissionTime waits) const;
+  /// The same for a UAV whose words come by way of the ground station: not before that has been
+  /// silent for the lease too; absent: one of them is in reach.
+  std::optional<MissionTime> gives_up_past_ground_at(const std::string& uav,
+                                                     MissionTime waits) const;
   Duration lease() const { return lease_; }
   /// "no contact with 'heliv' since 312 s". Precondition: it is silent.
   std::string silence_of(const std::string& uav) const;
@@ -44,6 +48,8 @@ class Partners {
  private:
   Duration lease_;
   MissionTime born_;
+  bool hears_ground_ = false;
+  MissionTime ground_silent_since_;                                 ///< unless it is heard
   std::map<std::string, std::optional<MissionTime>> silent_since_;  ///< UAVs with known contact
   std::set<std::string> given_up_;                                  ///< their lease is over
   std::set<std::string> lost_;  ///< declared lost, and not heard of anew since

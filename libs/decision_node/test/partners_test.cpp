@@ -54,6 +54,26 @@ TEST_F(APartner, ThatIsSilentAlreadyIsWaitedForForALease) {
   EXPECT_EQ(given_up(200, 300), "no contact with 'heliv' since 50 s");
 }
 
+// Found by random missions (--robots 950007).
+TEST_F(APartner, WhoseWordsComeByWayOfTheGroundIsWaitedForAsLongAsThatIsHeard) {
+  const auto ground = [&](double when, bool reachable) {
+    partners.contact({"ground", true, reachable}, MissionTime::seconds(when));
+  };
+  const auto ends = [&] {
+    return partners.gives_up_past_ground_at("heliv", MissionTime::seconds(10));
+  };
+  heard(5);
+  silent(50);
+  ground(5, true);
+  EXPECT_EQ(ends(), std::nullopt);
+
+  ground(70, false);
+  EXPECT_EQ(ends(), MissionTime::seconds(170));
+
+  heard(80);
+  EXPECT_EQ(ends(), std::nullopt);
+}
+
 TEST_F(APartner, ThatComesBackWithinTheLeaseIsAsBefore) {
   heard(5);
   silent(50);
