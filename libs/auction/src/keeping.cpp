@@ -123,17 +123,33 @@ void TeamMember::Core::admit(const GivenMission& mission) {
                           mission.lot.precedences.end());
 }
 
+namespace {
+
+/// It was out of reach, and what it had been granted was sold again meanwhile: done is done.
+bool is_done_by_former_owner(const LedgerEntry& entry, const Claim& claim) {
+  const bool open = entry.stage == Stage::kOwned || entry.stage == Stage::kGranted;
+  return open && claim.sale < entry.sale && entry.owners.size() == 1 && entry.finished.empty() &&
+         entry.stopped.empty();
+}
+
+}  // namespace
+
 void TeamMember::Core::end_claims(MemberNumber member, const Status& status) {
   const auto end = [&](const Claim& claim, std::set<MemberNumber> LedgerEntry::*where,
                        const std::string& why) {
     const auto found = ledger().entries.find(claim.task);
-    if (found == ledger().entries.end() || found->second.sale != claim.sale) return;
+    if (found == ledger().entries.end()) return;
     const LedgerEntry& entry = found->second;
     const auto& owners = entry.owners;
+    const bool is_owner = std::find(owners.begin(), owners.end(), member) != owners.end();
+    const bool former =
+        where == &LedgerEntry::finished && !is_owner && is_done_by_former_owner(entry, claim);
+    if (!former && entry.sale != claim.sale) return;
     const bool open = entry.stage == Stage::kOwned || entry.stage == Stage::kGranted;
-    if (!open || std::find(owners.begin(), owners.end(), member) == owners.end()) return;
+    if (!open || (!former && !is_owner)) return;
     if (entry.finished.contains(member) || entry.stopped.contains(member)) return;
     LedgerEntry& changed = change(claim.task);
+    if (former) changed.owners = {member};
     (changed.*where).insert(member);
     settle(changed, why);
     if (changed.stage != Stage::kDone) return;

@@ -314,6 +314,24 @@ TEST_F(LedgerKeepingTest, WhatWasGrantedWaitsForASilentMemberUnlessItMayBeDoneTw
   EXPECT_EQ(stage(5), Stage::kForSale);
 }
 
+// Found by random missions (--anything 950001): it was done again, long after all heard each other.
+TEST_F(LedgerKeepingTest, WhatAFormerOwnerHasDoneIsDoneThoughItWasSoldAgain) {
+  holds(a_ledger().has(a_task(4).repeatable(), Stage::kGranted, {2}).sold_again(4));
+
+  says(1, done({{TaskNumber(4), entry(4).sale - 1}}));
+
+  EXPECT_EQ(stage(4), Stage::kDone);
+  EXPECT_EQ(entry(4).owners, std::vector<MemberNumber>{MemberNumber(1)});
+}
+
+TEST_F(LedgerKeepingTest, WhatAFormerOwnerHasDoneIsOneWordOfManyWhereSeveralAreToDoItTogether) {
+  holds(a_ledger().has(a_task(4).members(2), Stage::kGranted, {1, 2}).sold_again(4));
+
+  says(1, done({{TaskNumber(4), entry(4).sale - 1}}));
+
+  EXPECT_EQ(stage(4), Stage::kGranted);
+}
+
 TEST_F(LedgerKeepingTest, WhatIsTooLateIsForNobodyAndItsTimesAreThoseOfTheMission) {
   holds(a_ledger().has(a_task(4).lasting(10).by(40), Stage::kForSale));
   Status bids = wants({});
