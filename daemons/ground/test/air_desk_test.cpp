@@ -14,8 +14,8 @@ using ::testing::IsEmpty;
 
 class AirTeam {
  public:
-  explicit AirTeam(std::uint64_t incarnation = 1) {
-    desk_.hear(node::Started{incarnation}, MissionTime());
+  explicit AirTeam(std::uint64_t incarnation = 1, double begun = 0.5) {
+    desk_.hear(node::Started{incarnation}, MissionTime::seconds(begun));
   }
 
   node::Effects asks(const std::string& uav, std::uint64_t request, double x) {
@@ -37,6 +37,13 @@ class AirTeam {
   node::Roster roster_{{"marvin", "heliv", "karma"}};
   AirDesk desk_{roster_, {"marvin", "heliv"}};
 };
+
+// Found over DDS (--mixed 6004), where the first incarnation is of the clock on the wall: it
+// answered nobody until all had spoken to it.
+TEST(AirDesk, BegunBeforeTheMissionsClockRunsItHasForgottenNothing) {
+  AirTeam team(1'795'956'592'855'706'682, 0);
+  EXPECT_TRUE(team.sent(team.asks("heliv", 7, 0), "heliv").granted);
+}
 
 TEST(AirDesk, AnswersWhoAsksForAirThatNobodyHas) {
   AirTeam team;
