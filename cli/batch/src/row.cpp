@@ -45,16 +45,6 @@ void judge(const WholeRun& run, Row& row) {
   if (row.outcome == "idle") row.reason = "nothing was left to happen before the mission's end";
 }
 
-void count_goals(const laws::History& history, Row& row) {
-  for (const auto& [name, uav] : history.uavs) {
-    for (const auto& [id, goal] : uav.goals) {
-      ++row.goals;
-      row.achieved += goal.state() == "achieved" ? 1 : 0;
-      row.failed += goal.state() == "failed" ? 1 : 0;
-    }
-  }
-}
-
 void ask_laws(const scenario::Scenario& scenario, const std::vector<journal::Record>& records,
               Row& row) {
   const auto add = [&](const std::string& law, const std::string& seen) {
@@ -106,7 +96,10 @@ Row play_case(const Case& what, const std::vector<std::string>& degrees) {
     row.measures.emplace_back(one.name,
                               measured ? std::optional(millionths(measured->value)) : std::nullopt);
   }
-  count_goals(laws::history_of(*scenario, records), row);
+  const laws::GoalCount goals = laws::count_goals(laws::history_of(*scenario, records));
+  row.goals = goals.all;
+  row.achieved = goals.achieved;
+  row.failed = goals.failed;
   ask_laws(*scenario, records, row);
   if (what.folder.empty()) return row;
   if (auto kept = run_tool::keep_run(what.folder, *scenario, what.text, run); !kept) {

@@ -9,6 +9,7 @@
 #include "skein/foundation/exit_code.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/scenario_setup/overrides.hpp"
+#include "violation_json.hpp"
 
 namespace skein::storm_tool {
 
@@ -25,29 +26,13 @@ scenario_setup::Overrides overrides_of(const report::RunInfo& info) {
   return overrides;
 }
 
-void count_goals(const laws::History& history, Verdict& verdict) {
-  for (const auto& [name, uav] : history.uavs) {
-    for (const auto& [id, goal] : uav.goals) {
-      ++verdict.goals;
-      verdict.achieved += goal.state() == "achieved" ? 1 : 0;
-      verdict.failed += goal.state() == "failed" ? 1 : 0;
-    }
-  }
-}
-
 Json json_of(const std::string& folder, const Verdict& verdict) {
   Json told{{"folder", folder},
             {"mission_seconds", verdict.flown},
             {"goals",
              {{"all", verdict.goals}, {"achieved", verdict.achieved}, {"failed", verdict.failed}}},
-            {"violations", Json::array()}};
+            {"violations", json_of_violations(verdict.violations)}};
   if (verdict.nearest >= 0) told["nearest"] = verdict.nearest;
-  for (const laws::Violation& one : verdict.violations)
-    told["violations"].push_back({{"law", one.law},
-                                  {"at", one.at},
-                                  {"uav", one.uav},
-                                  {"goal", one.goal},
-                                  {"sentence", one.sentence}});
   return told;
 }
 
@@ -93,7 +78,10 @@ Verdict verdict_on(const scenario::Scenario& scenario, const std::vector<journal
                    const laws::Judging& judging) {
   const laws::History history = laws::history_of(scenario, records);
   Verdict verdict;
-  count_goals(history, verdict);
+  const laws::GoalCount goals = laws::count_goals(history);
+  verdict.goals = goals.all;
+  verdict.achieved = goals.achieved;
+  verdict.failed = goals.failed;
   verdict.flown = history.end;
   if (const auto near = laws::nearest(history)) verdict.nearest = near->distance;
   verdict.violations = laws::judge(scenario, records, judging);

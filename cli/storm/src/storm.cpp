@@ -21,6 +21,7 @@
 #include "skein/storm_tool/shrink.hpp"
 #include "skein/workers/seeds.hpp"
 #include "skein/workers/shipped.hpp"
+#include "violation_json.hpp"
 
 namespace skein::storm_tool {
 
@@ -224,12 +225,7 @@ class Storm {
     for (const Failing& one : failing_) {
       auto& told = all["failing"].emplace_back();
       told["run"] = one.what.name;
-      for (const Violation& violation : one.violations)
-        told["violations"].push_back({{"law", violation.law},
-                                      {"at", violation.at},
-                                      {"uav", violation.uav},
-                                      {"goal", violation.goal},
-                                      {"sentence", violation.sentence}});
+      told["violations"] = json_of_violations(one.violations);
       told["kept"] = one.saved;
     }
     out_ << all.dump(2) << '\n';

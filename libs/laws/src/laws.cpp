@@ -133,6 +133,18 @@ std::string to_text(const std::vector<Violation>& violations) {
   return text;
 }
 
+GoalCount count_goals(const History& history) {
+  GoalCount count;
+  for (const auto& [name, uav] : history.uavs) {
+    for (const auto& [id, goal] : uav.goals) {
+      ++count.all;
+      count.achieved += goal.state() == "achieved" ? 1 : 0;
+      count.failed += goal.state() == "failed" ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 std::optional<Nearest> nearest(const History& history) {
   Nearest result;
   for (auto a = history.uavs.begin(); a != history.uavs.end(); ++a) {

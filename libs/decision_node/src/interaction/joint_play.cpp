@@ -47,6 +47,11 @@ double passing_distance(const world::VehicleModel& vehicle, const world::Wind& w
   return 5 + 6 * world::tracking_spread(vehicle) + vehicle.wind_drift * wind.speed;
 }
 
+/// Of what has no duration nothing is known.
+bool is_done(Duration wanted, Duration done) {
+  return wanted > Duration() && wanted - done < kNothing;
+}
+
 }  // namespace
 
 std::vector<std::string> Membership::parties_of(const std::string& role, const std::string& action,
@@ -171,7 +176,7 @@ bool JointPlay::has_done_its_part() const {
     const auto* task = found ? automaton[*found].task() : nullptr;
     if (task == nullptr) return false;
     const Duration wanted = duration_of(*task, *play_);
-    return wanted > Duration() && wanted - done < kNothing;
+    return is_done(wanted, done);
   });
 }
 
@@ -227,7 +232,7 @@ void JointPlay::run(const std::string& name) {
   if (componel.task()->type == kFollow) return follow(name);
   const Duration done = done_[name];
   const Duration wanted = duration_of(*componel.task(), *play_);
-  if (wanted > Duration() && wanted - done < kNothing) return tell_status(name, Word::kEnded);
+  if (is_done(wanted, done)) return tell_status(name, Word::kEnded);
   const Outlook outlook = this->outlook();
   auto task = make_task(componel, my_.joint.subject,
                         {*play_, outlook, sightings_.own()->state, done, my_.allocation});

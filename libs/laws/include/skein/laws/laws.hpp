@@ -31,6 +31,12 @@ std::vector<Violation> broken_laws(const scenario::Scenario& scenario,
 std::vector<Violation> too_near(const scenario::Scenario& scenario,
                                 const std::vector<journal::Record>& records);
 
+/// High-level tasks that UAVs were given, and what became of them.
+struct GoalCount {
+  int all = 0, achieved = 0, failed = 0;
+};
+GoalCount count_goals(const History& history);
+
 /// The least distance [m] between two UAVs while both fly; nothing when they never do.
 struct Nearest {
   double distance = kNever;
