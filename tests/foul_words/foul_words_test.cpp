@@ -9,13 +9,15 @@
 #include <string>
 #include <utility>
 
-#include "foul.hpp"
 #include "skein/assembly/assembly.hpp"
 #include "test_cases.hpp"
+#include "testing/foul.hpp"
 #include "testing/mission.hpp"
 
 namespace skein::testing {
 namespace {
+
+using blackboard::testing::Fouler;
 
 /// A node whose radio garbles some words, says some twice and some again much later.
 class HardOfHearing final : public node::Node {

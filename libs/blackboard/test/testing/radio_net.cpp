@@ -38,6 +38,7 @@ class RadioNet::Radio final : public Transport {
              wire::slot_class(wire::slot_of(*sample)) == wire::SlotClass::kStream &&
              net_.random_.chance(net_.setup_.loss);
     });
+    if (net_.setup_.garble) net_.setup_.garble(all);
     return all;
   }
   void on_arrival(std::function<void()> notify) override { inner_.on_arrival(std::move(notify)); }
@@ -144,6 +145,10 @@ void RadioNet::send_stream(int from, int to, double value) {
   SKEIN_ENSURES(sent.has_value());
 }
 
+void RadioNet::say(int from, int to, wire::Sample sample) {
+  (void)nodes_.at(from).blackboard->send(std::move(sample), node_of(to).number, at());
+}
+
 void RadioNet::note_written(int from, int to, const wire::Sample& sample) {
   ++written_;
   const wire::SampleHeader& header = wire::header_of(sample);
@@ -164,8 +169,8 @@ void RadioNet::note(int node, const Incoming& incoming) {
   const std::pair key{node, static_cast<int>(received->origin.value())};
   if (const auto* event = std::get_if<wire::SyncMessage>(&received->sample))
     handled_[key].push_back(event->id);
-  if (const auto* board = std::get_if<wire::PlanBoard>(&received->sample))
-    states_[key] = board->tasks.front().id;
+  const auto* board = std::get_if<wire::PlanBoard>(&received->sample);
+  if (board != nullptr && !board->tasks.empty()) states_[key] = board->tasks.front().id;
   if (const auto* telemetry = std::get_if<wire::Telemetry>(&received->sample))
     streams_[key].push_back(telemetry->energy);
 }

@@ -30,6 +30,8 @@ class RadioNet {
     double capacity = 0;  ///< [bit/s] of every link in each direction; 0: unlimited
     std::size_t most_relays = 8;
     std::uint64_t seed = 1;
+    /// Changes what has arrived somewhere before the blackboard there sees it; may be empty.
+    std::function<void(std::vector<Arrival>&)> garble = {};
   };
   explicit RadioNet(Setup setup);
   ~RadioNet();
@@ -45,6 +47,8 @@ class RadioNet {
   std::uint64_t send_event(int from, int to);
   void set_state(int from, int to, std::uint64_t value);
   void send_stream(int from, int to, double value);
+  /// Any sample, which may be refused.
+  void say(int from, int to, wire::Sample sample);
 
   void run_for(Duration time);
   /// Whether it holds within the time.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "foul.hpp"
+#include "testing/foul.hpp"
 
 #include <algorithm>
 #include <concepts>
@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace skein::testing {
+namespace skein::blackboard::testing {
 
 namespace {
 
@@ -40,8 +40,9 @@ class Fouler::Gatherer {
  private:
   template <class T>
   void see(const T& value) {
-    if constexpr (std::same_as<T, wire::SampleHeader> || std::same_as<T, bool> ||
-                  wire::WireEnum<T>) {
+    if constexpr (std::same_as<T, wire::SampleHeader>) {
+      if (of_.changes_ == Fouler::Changes::kAll) visit_fields(*this, value);
+    } else if constexpr (std::same_as<T, bool> || wire::WireEnum<T>) {
     } else if constexpr (Number<T>) {
       keep(of_.numbers_, static_cast<std::uint64_t>(value));
     } else if constexpr (std::floating_point<T>) {
@@ -66,7 +67,7 @@ class Fouler::Changer {
 
   template <class T>
   void operator()(const char*, T& value) {
-    if constexpr (!std::same_as<T, wire::SampleHeader>) pass(value);
+    if (!std::same_as<T, wire::SampleHeader> || of_.changes_ == Fouler::Changes::kAll) pass(value);
   }
 
  private:
@@ -190,4 +191,4 @@ wire::Sample Fouler::foul(const wire::Sample& sample) {
   return wire::find_violation(changed) ? sample : changed;
 }
 
-}  // namespace skein::testing
+}  // namespace skein::blackboard::testing

@@ -9,14 +9,16 @@
 #include "skein/blackboard/wire.hpp"
 #include "skein/foundation/random.hpp"
 
-namespace skein::testing {
+namespace skein::blackboard::testing {
 
 /// Makes foul samples of fair ones: some fields have values that other fields had before, values at
-/// the ends of their range, or others; some lists are longer, shorter or in another order. Headers
-/// stay as they are.
+/// the ends of their range, or others; some lists are longer, shorter or in another order.
 class Fouler {
  public:
-  explicit Fouler(std::uint64_t seed) : random_(seed) {}
+  enum class Changes { kAllButHeaders, kAll };
+
+  explicit Fouler(std::uint64_t seed, Changes changes = Changes::kAllButHeaders)
+      : random_(seed), changes_(changes) {}
 
   /// The sample with some of its fields changed; as it was if what came about would be dropped as
   /// malformed (wire::find_violation). Its names and numbers are used for later ones.
@@ -27,9 +29,10 @@ class Fouler {
   class Changer;
 
   Random random_;
+  Changes changes_;
   std::deque<std::uint64_t> numbers_;  ///< seen before, the latest
   std::deque<double> figures_;
   std::deque<std::string> names_;
 };
 
-}  // namespace skein::testing
+}  // namespace skein::blackboard::testing
