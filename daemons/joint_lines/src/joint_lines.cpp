@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/joint_lines/joint_lines.hpp"
 
+#include <cmath>
+
 #include "skein/foundation/joined.hpp"
 #include "skein/journal/lines/joint.hpp"
 
@@ -10,14 +12,19 @@ namespace lines = journal::lines;
 
 namespace {
 
+/// To the millisecond. What others say may be more than an instant holds.
+std::string text_of(double number) {
+  constexpr double kMost = 9e12;  // [ms]
+  const double ms = std::fmax(-kMost, std::fmin(number * 1000, kMost));
+  return to_text(Duration::milliseconds(std::llround(ms)));
+}
+
 /// "heliv relay 12.5, marvin perceive 3".
 std::string text_of(const interaction::Rows& rows) {
   std::vector<std::string> texts;
   for (const interaction::Row& row : rows) {
     std::string text = row.name + (row.text.empty() ? "" : " " + row.text);
-    for (const double number : row.numbers) {
-      text += " " + to_text(Duration::milliseconds(std::llround(number * 1000)));
-    }
+    for (const double number : row.numbers) text += " " + text_of(number);
     texts.push_back(std::move(text));
   }
   return joined(texts, ", ");

@@ -2,6 +2,7 @@
 #include "held_sale.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "skein/foundation/overloaded.hpp"
 
@@ -9,8 +10,13 @@ namespace skein::auction {
 
 namespace {
 
+/// [ms] More is asked by nobody who could do it.
+constexpr double kMostWorth = 9e12;
+
 std::string worth(const Value& value) {
-  return to_text(Duration::milliseconds(static_cast<std::int64_t>(value.first * 1e3)));
+  const double ms = value.first * 1e3;
+  if (!(std::abs(ms) < kMostWorth)) return "what nobody could do it for";
+  return to_text(Duration::milliseconds(static_cast<std::int64_t>(ms)));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "testing/ledger_builder.hpp"
 
 namespace skein::auction {
@@ -41,6 +43,14 @@ TEST_F(HeldSaleTest, SaysWhoBoughtForHowMuchAndWhoElseWouldHave) {
   won.trade = true;
   won.next_best = Sold::Rival{{MemberNumber(0), MemberNumber(1)}, {0, 20, 0}};
   EXPECT_EQ(why(won), "traded to marvin for 12.5; next best marvin, karma for 20");
+}
+
+// Said by a foul bid: no such number of milliseconds fits into an instant.
+TEST_F(HeldSaleTest, SaysOfAWorthBeyondAllMeasureNoNumber) {
+  for (const double worth : {1e300, -1e13, HUGE_VAL, std::nan("")}) {
+    const Sold won{TaskNumber(1), {MemberNumber(0)}, 1, false, {0, worth, 0}, std::nullopt};
+    EXPECT_EQ(why(won), "sold to marvin for what nobody could do it for; nobody else could");
+  }
 }
 
 TEST_F(HeldSaleTest, SaysOfWhatWasNotSoldTheReasonOfEachBehindThatOfAll) {
