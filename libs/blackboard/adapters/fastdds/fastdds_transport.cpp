@@ -93,7 +93,8 @@ class FastDdsTransport::Impl {
 
 Result<void, Failure> FastDdsTransport::Impl::open(const TransportPlan& plan) {
   links_.plan(plan, config_);
-  const auto joined = participation_.join(config_, &discovery_, rtps::pace_of(plan));
+  const auto joined = participation_.join(config_, &discovery_, rtps::pace_of(plan),
+                                          fastdds::Departures::kLeftToTheLease);
   if (!joined) return joined;
   const auto& identities = participation_.identities();
   const bool checks = identities.has_value() && !config_.names.empty();

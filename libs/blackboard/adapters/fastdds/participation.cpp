@@ -41,14 +41,14 @@ Participation::~Participation() {
 
 Result<void, Failure> Participation::join(const DdsConfig& config,
                                           dds::DomainParticipantListener* listener,
-                                          const rtps::Pace& pace) {
+                                          const rtps::Pace& pace, Departures departures) {
   SKEIN_EXPECTS(participant_ == nullptr);
   if (auto checked = rtps::check(config.network); !checked) return checked;
   const std::string domain = std::to_string(config.domain);
   const std::string& keys = keys_ = config.network.keys;
   number_ = rtps::ParticipantNumber::claim(config.domain);
   if (!number_) return failure("too many DDS participants in domain " + domain);
-  dds::DomainParticipantQos qos = participant_qos(config, number_->value(), pace);
+  dds::DomainParticipantQos qos = participant_qos(config, number_->value(), pace, departures);
   if (!keys.empty()) {
     auto security = security_properties(keys);
     if (!security) return tl::unexpected(security.error());

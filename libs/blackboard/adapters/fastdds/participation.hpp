@@ -10,6 +10,7 @@
 
 #include "adapters/rtps/pace.hpp"
 #include "adapters/rtps/participant_number.hpp"
+#include "qos.hpp"
 #include "security.hpp"
 #include "skein/blackboard/dds_config.hpp"
 
@@ -28,7 +29,8 @@ class Participation {
   /// failure names all errors of the configuration.
   Result<void, Failure> join(const DdsConfig& config,
                              eprosima::fastdds::dds::DomainParticipantListener* listener,
-                             const rtps::Pace& pace = {});
+                             const rtps::Pace& pace = {},
+                             Departures departures = Departures::kHeard);
   eprosima::fastdds::dds::DomainParticipant* participant() const { return participant_; }
   /// The folder with this node's keys; empty: the domain is not secured.
   const std::string& keys() const { return keys_; }

@@ -11,6 +11,7 @@
 #include "adapters/rtps/datagram_size.hpp"
 #include "adapters/rtps/kept_samples.hpp"
 #include "adapters/rtps/ports.hpp"
+#include "departure_filter.hpp"
 #include "single_path.hpp"
 #include "skein/blackboard/program_description.hpp"
 
@@ -104,7 +105,7 @@ void set_servers(fastrtps::BuiltinAttributes& builtin, const std::vector<std::st
 }  // namespace
 
 dds::DomainParticipantQos participant_qos(const DdsConfig& config, std::uint32_t number,
-                                          const rtps::Pace& pace) {
+                                          const rtps::Pace& pace, Departures departures) {
   dds::DomainParticipantQos qos;
   qos.name(config.participant_name);
   const std::string description = to_text(program_description());
@@ -125,6 +126,11 @@ dds::DomainParticipantQos participant_qos(const DdsConfig& config, std::uint32_t
         transport, config.network.interfaces, longest, !secured));
   } else {
     qos.transport().user_transports.push_back(transport);
+  }
+  if (departures == Departures::kLeftToTheLease && !secured &&
+      config.network.discovery_servers.empty()) {
+    auto& used = qos.transport().user_transports.back();
+    used = std::make_shared<DepartureFilterDescriptor>(used);
   }
   auto& builtin = qos.wire_protocol().builtin;
   // A participant that falls silent is taken for gone after its lease. Where it then comes back,

@@ -7,13 +7,14 @@
 #include <algorithm>
 #include <array>
 
+#include "sample_type.hpp"
+
 namespace skein::blackboard::fastdds {
 namespace {
 
 using eprosima::fastrtps::rtps::InstanceHandle_t;
 using eprosima::fastrtps::rtps::SerializedPayload_t;
 
-constexpr std::uint32_t kTypicalSize = 512;
 constexpr std::size_t kEncapsulation = 4;
 constexpr std::size_t kKeyOfOurs = 12;  ///< origin, instance, destination
 

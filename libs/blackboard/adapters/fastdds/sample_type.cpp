@@ -19,9 +19,6 @@ namespace {
 using eprosima::fastrtps::rtps::InstanceHandle_t;
 using eprosima::fastrtps::rtps::SerializedPayload_t;
 
-/// Only a first guess for buffers, which grow.
-constexpr std::uint32_t kTypicalSize = 512;
-
 const wire::SampleHeader& header_of(const Cargo& cargo) {
   if (cargo.outgoing != nullptr) return wire::header_of(*cargo.outgoing);
   if (const auto* sample = std::get_if<wire::Sample>(&cargo.incoming)) {

@@ -9,6 +9,9 @@
 
 namespace skein::blackboard::fastdds {
 
+/// Of a sample [byte]: only a first guess for buffers, which grow.
+inline constexpr std::uint32_t kTypicalSize = 512;
+
 /// The data behind the void pointers of Fast DDS: for writing a pointer to the sample, for reading
 /// the received content.
 struct Cargo {

@@ -2,24 +2,22 @@
 #include "message_data.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 
 #include "adapters/rtps/guid_text.hpp"
+#include "adapters/rtps/submessages.hpp"
 
 namespace skein::blackboard::passive {
 namespace {
 
-using Bytes = std::span<const std::uint8_t>;
+using rtps::Bytes;
+using rtps::SubmessageKind;
 
-constexpr std::size_t kMessageHeader = 20, kSubmessageHeader = 4, kPrefixAt = 8, kPrefix = 12;
+constexpr std::size_t kPrefixAt = 8, kPrefix = 12;
 constexpr std::size_t kBeforeQos = 20;        ///< of DATA: flags, offset, reader, writer, sequence
 constexpr std::size_t kBeforeQosOfPart = 32;  ///< of DATA_FRAG: fragments and sizes too
-constexpr std::array<std::uint8_t, 4> kMagic{'R', 'T', 'P', 'S'};
-constexpr std::uint8_t kPad = 0x01, kInfoTs = 0x09, kInfoSrc = 0x0c, kData = 0x15, kDataFrag = 0x16;
-constexpr std::uint8_t kLittle = 0x01, kHasQos = 0x02, kHasData = 0x04, kInvalid = 0x02;
-constexpr std::uint8_t kOfPartKey = 0x04;
+constexpr std::uint8_t kInvalid = 0x02, kOfPartKey = 0x04;
 constexpr std::uint8_t kBuiltin = 0xc0;  ///< in the last octet of an entity's number
 constexpr std::uint16_t kSentinel = 1;   ///< the last of a list of parameters
 
@@ -32,36 +30,28 @@ struct MessageData::Context {
 };
 
 /// Of one submessage.
-struct MessageData::Body {
-  std::uint8_t flags = 0;
-  Bytes bytes;
-
-  std::uint32_t number(std::size_t at, std::size_t size) const {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < size; ++i)
-      value = value << 8U | bytes[at + ((flags & kLittle) != 0 ? size - 1 - i : i)];
-    return value;
-  }
+struct MessageData::Body : rtps::Submessage {
+  std::size_t size() const { return body.size(); }
   std::uint64_t sequence() const { return std::uint64_t{number(12, 4)} << 32U | number(16, 4); }
-  bool is_builtin() const { return (bytes[11] & kBuiltin) == kBuiltin; }
+  bool is_builtin() const { return (body[11] & kBuiltin) == kBuiltin; }
   std::string writer(const Context& context) const {
-    return rtps::guid_text(context.prefix, bytes.subspan(8, 4));
+    return rtps::guid_text(context.prefix, body.subspan(8, 4));
   }
   /// What stands behind the QoS, which has its place where the header says.
   std::optional<Bytes> payload(std::size_t least) const {
     std::size_t at = 4 + number(2, 2);
     if (at < least) return std::nullopt;
-    for (bool more = (flags & kHasQos) != 0; more;) {
-      if (at + 4 > bytes.size()) return std::nullopt;
+    for (bool more = (flags & rtps::kHasQos) != 0; more;) {
+      if (at + 4 > size()) return std::nullopt;
       more = number(at, 2) != kSentinel;
       at += more ? 4 + number(at + 2, 2) : 4;
     }
-    if (at > bytes.size()) return std::nullopt;
-    return bytes.subspan(at);
+    if (at > size()) return std::nullopt;
+    return body.subspan(at);
   }
   /// INFO_TS: seconds and a fraction of 2^32.
   std::int64_t instant() const {
-    if ((flags & kInvalid) != 0 || bytes.size() < 8) return 0;
+    if ((flags & kInvalid) != 0 || size() < 8) return 0;
     constexpr std::int64_t kSecond = 1'000'000'000;
     const std::uint64_t fraction = std::uint64_t{number(4, 4)} * kSecond >> 32U;
     return std::int64_t{number(0, 4)} * kSecond + static_cast<std::int64_t>(fraction);
@@ -85,11 +75,11 @@ void MessageData::give(SampleData sample) {
 }
 
 void MessageData::take_whole(const Context& context, const Body& body) {
-  if (body.bytes.size() < kBeforeQos || body.is_builtin()) return;
+  if (body.size() < kBeforeQos || body.is_builtin()) return;
   const auto payload = body.payload(kBeforeQos);
   if (!payload) return;
   SampleData sample{body.writer(context), body.sequence(), context.sent, {}};
-  if ((body.flags & kHasData) != 0) sample.bytes.assign(payload->begin(), payload->end());
+  if ((body.flags & rtps::kHasData) != 0) sample.bytes.assign(payload->begin(), payload->end());
   give(std::move(sample));
 }
 
@@ -112,7 +102,7 @@ MessageData::Open* MessageData::opened(const Context& context, const Body& body,
 }
 
 void MessageData::take_fragments(const Context& context, const Body& body) {
-  if (body.bytes.size() < kBeforeQosOfPart || body.is_builtin()) return;
+  if (body.size() < kBeforeQosOfPart || body.is_builtin()) return;
   const auto payload = body.payload(kBeforeQosOfPart);
   const std::uint32_t first = body.number(20, 4), part = body.number(26, 2),
                       size = body.number(28, 4);
@@ -141,21 +131,18 @@ void MessageData::take_fragments(const Context& context, const Body& body) {
 
 std::vector<SampleData> MessageData::take(std::span<const std::uint8_t> message) {
   out_.clear();
-  if (message.size() < kMessageHeader || !std::ranges::equal(message.first(4), kMagic)) return {};
+  if (!rtps::is_message(message)) return {};
   Context context{rtps::hexadecimal(message.subspan(kPrefixAt, kPrefix)), 0};
-  for (Bytes rest = message.subspan(kMessageHeader); rest.size() >= kSubmessageHeader;) {
-    const std::uint8_t kind = rest[0];
-    const Body head{rest[1], rest};
-    std::size_t length = head.number(2, 2);
-    if (length == 0 && kind != kPad && kind != kInfoTs) length = rest.size() - kSubmessageHeader;
-    if (length > rest.size() - kSubmessageHeader) break;
-    const Body body{head.flags, rest.subspan(kSubmessageHeader, length)};
-    if (kind == kInfoTs) context.sent = body.instant();
-    if (kind == kInfoSrc && length >= kMessageHeader)
-      context.prefix = rtps::hexadecimal(body.bytes.subspan(kPrefixAt, kPrefix));
-    if (kind == kData) take_whole(context, body);
-    if (kind == kDataFrag) take_fragments(context, body);
-    rest = rest.subspan(kSubmessageHeader + length);
+  for (Bytes rest = message.subspan(rtps::kMessageHeader); !rest.empty();) {
+    const auto one = rtps::first_submessage(rest);
+    if (!one) break;
+    const Body body{*one};
+    if (one->kind == SubmessageKind::kInfoTs) context.sent = body.instant();
+    if (one->kind == SubmessageKind::kInfoSrc && body.size() >= kPrefixAt + kPrefix)
+      context.prefix = rtps::hexadecimal(one->body.subspan(kPrefixAt, kPrefix));
+    if (one->kind == SubmessageKind::kData) take_whole(context, body);
+    if (one->kind == SubmessageKind::kDataFrag) take_fragments(context, body);
+    rest = rest.subspan(one->whole.size());
   }
   return std::exchange(out_, {});
 }
