@@ -138,6 +138,31 @@ TEST(ATaskOfARoleThatTheVehicleGivesUp, IsBegunAgain) {
   EXPECT_EQ(mission.untrue, "");
 }
 
+// Found by random missions (--merged 960024): the role's flight was aborted, and it did nothing
+// more.
+TEST(AFlightOfARoleWhoseWayCloses, IsBegunAgainAroundTheClosedAir) {
+  scenario::Scenario scenario = scenario_at("mref/nominal");
+  const world::Volume smoke{"smoke", {{30, 20}, {60, 20}, {60, 80}, {30, 80}}, -10, 120, {}};
+  ground_station::Step closes;
+  closes.name = "close";
+  closes.when.what = ground_station::AtTime{MissionTime::seconds(51)};
+  closes.actions = {ground_station::CloseAir{smoke}};
+  scenario.ground.script.steps.push_back(closes);
+
+  const Mission mission = play(scenario);
+
+  EXPECT_FALSE(mission
+                   .find({{"kind", "notice"},
+                          {"uav", "uav2"},
+                          {"text",
+                           "goto 500047500 of a role is given up: volume 'smoke' closes "
+                           "on its way"}})
+                   .empty());
+  EXPECT_EQ(mission.count({{"kind", "goal"}, {"goal", "12"}, {"state", "achieved"}}), 1U);
+  EXPECT_EQ(mission.count({{"kind", "goal"}, {"goal", "22"}, {"state", "achieved"}}), 1U);
+  EXPECT_EQ(mission.untrue, "");
+}
+
 // Found by the same: of three who form a chain one dies, and hangs where another has to pass, which
 // leaves; the last one waited for both until the mission's limit.
 TEST(AMeetingOfRoles, DoesNotWaitForWhoHasLeft) {

@@ -8,7 +8,7 @@
 
 #include "skein/foundation/random.hpp"
 #include "skein/interaction/placed_constraint.hpp"
-#include "skein/world/geometry.hpp"
+#include "skein/world/segment.hpp"
 
 namespace skein::interaction {
 
@@ -16,6 +16,8 @@ namespace {
 
 using Quantity = SpatialConstraint::Quantity;
 constexpr double kNever = std::numeric_limits<double>::infinity();
+/// What a place to stay at is farther from closed air than a way there has to be [m].
+constexpr double kBeside = 1;
 
 /// By how much a constraint is missed, from 0: quotients of distances, gaps of angles.
 double violation(const PlacedConstraint& one, const Position& at) {
@@ -196,14 +198,14 @@ FreeAir free_air_of(const world::World& world, const world::VehicleModel& vehicl
     air.low[i] = grid.origin[static_cast<Eigen::Index>(i)];
     air.high[i] = air.low[i] + grid.voxel * grid.size[i];
   }
-  air.holds = [&world, clearance, ceiling = vehicle.ceiling,
+  air.holds = [&world, clearance, ceiling = vehicle.ceiling, beside = vehicle.body_radius + kBeside,
                window = world::TimeWindow{at}](const Position& p) {
     if (!world.terrain.contains(p[0], p[1])) return false;
     const double height = p[2] - world.terrain.elevation(p[0], p[1]);
     if (height < clearance || height > ceiling) return false;
     return std::none_of(world.volumes.begin(), world.volumes.end(), [&](const world::Volume& one) {
-      return one.when.overlaps(window) && p[2] >= one.floor && p[2] <= one.ceiling &&
-             world::contains(one.polygon, {p[0], p[1]});
+      return one.when.overlaps(window) && p[2] >= one.floor - beside &&
+             p[2] <= one.ceiling + beside && world::to_polygon({p[0], p[1]}, one.polygon) <= beside;
     });
   };
   return air;

@@ -303,6 +303,9 @@ TEST(FreeAir, EndsAtTheGroundTheCeilingTheVolumesAndTheBorder) {
   EXPECT_FALSE(air.holds({50, 50, 4})) << "too low";
   EXPECT_FALSE(air.holds({10, 10, 71})) << "above the ceiling";
   EXPECT_FALSE(air.holds({50, 50, 30})) << "in the zone";
+  EXPECT_FALSE(air.holds({39, 50, 30})) << "where no way leads, so near the zone";
+  EXPECT_FALSE(air.holds({50, 50, 19})) << "below it";
+  EXPECT_TRUE(air.holds({50 - 10 - one.vehicle.body_radius - 1.1, 50, 30}));
   EXPECT_FALSE(air.holds({101, 50, 30})) << "off the map";
   EXPECT_TRUE(
       free_air_of(one.world, one.vehicle, 5, MissionTime::seconds(100)).holds({50, 50, 30}));

@@ -169,19 +169,23 @@ void Interaction::give_up_closed_ways(const world::VehicleState& state) {
   const bool plays = std::any_of(tasks_.begin(), tasks_.end(),
                                  [](const auto& one) { return !one.second->over(); });
   const auto world = plays ? host_.world() : nullptr;
-  if (world == nullptr || world->volumes.empty()) return;
+  const auto before = std::exchange(flights_, {});
+  if (world == nullptr) return;
   for (const mission::HeldTask& one : host_.held()) {
     const executive::TaskId id = one.task.id;
     const bool flies = id >= host_.first_role_id() && id < functional::kFirstOwnId &&
                        one.task.type == "goto" && one.state == executive::TaskState::kRunning;
     if (!flies) continue;
+    const auto known = before.find(id);
+    const auto& from = flights_[id] = known == before.end() ? state.position : known->second;
     const world::Volume* closed =
-        closed_ahead(one.task.parameters, state, host_.config().knowledge->vehicle, world->volumes,
-                     host_.bus().now());
+        closed_ahead(one.task.parameters, from, state, host_.config().knowledge->vehicle,
+                     world->volumes, host_.bus().now());
     if (closed == nullptr) continue;
     host_.bus().emit(Notice{"goto " + std::to_string(id.value()) +
                             " of a role is given up: volume '" + closed->name +
                             "' closes on its way"});
+    closed_ways_.insert(id);
     host_.run(executive::Abort{id});
   }
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,6 +62,8 @@ class Interaction final : public Component {
   };
   /// Null: it has not said so, says something else since, or it is long over.
   const Refusal* refusal_of(const std::string& subject, const std::string& uav) const;
+  /// Whether a flight of a role was aborted since air closes on its way; true once.
+  bool had_its_way_closed(executive::TaskId flight) { return closed_ways_.erase(flight) > 0; }
   /// The id for a new task of a role.
   executive::TaskId next_id();
 
@@ -87,6 +90,8 @@ class Interaction final : public Component {
   std::optional<interaction::NegotiationManager> manager_;
   std::map<executive::TaskId, std::unique_ptr<JointTask>> tasks_;
   std::map<std::pair<std::string, std::string>, Refusal> refusals_;  ///< by subject and UAV
+  std::map<executive::TaskId, world::Vector3> flights_;  ///< of roles, under way, and from where
+  std::set<executive::TaskId> closed_ways_;              ///< those aborted since theirs has closed
   std::uint64_t next_id_ = 0;
   std::map<std::uint64_t, interaction::SessionId> reckonings_;  ///< by job
   std::uint64_t last_reckoning_ = 0;

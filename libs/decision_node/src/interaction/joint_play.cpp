@@ -275,6 +275,7 @@ void JointPlay::fail(const std::string& componel, const std::string& why) {
   failed_[componel] = why;
   tell_status(componel, Word::kAborted);
   leave_if_in_vain(componel, why);
+  leave_if_stuck(componel, why);
 }
 
 bool JointPlay::only_flights_are_left() const {
@@ -352,9 +353,9 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   if (renewed_.erase(event.id) > 0 && !ended && interrupted_.erase(event.id) == 0)
     return run(componel);
   const bool asked = interrupted_.erase(event.id) > 0;
-  const bool blind = blind_.erase(event.id) > 0;
+  const bool on_board = blind_.erase(event.id) > 0 || interaction_.had_its_way_closed(event.id);
   const bool by_vehicle =
-      !ended && !asked && (blind || event.cause == executive::AbortCause::kOther);
+      !ended && !asked && (on_board || event.cause == executive::AbortCause::kOther);
   if (by_vehicle && begins_again(componel, ran)) return;
   const bool has_no_air = event.cause == executive::AbortCause::kNoAir;
   if (ended) ended_.insert(componel);

@@ -14,15 +14,15 @@ constexpr Duration kAhead = Duration::milliseconds(30'000);
 
 }  // namespace
 
-const world::Volume* closed_ahead(const functional::Parameters& flight,
+const world::Volume* closed_ahead(const functional::Parameters& flight, const Vector3& from,
                                   const world::VehicleState& state,
                                   const world::VehicleModel& model,
                                   const std::vector<world::Volume>& volumes, MissionTime now) {
-  const std::vector<Vector3> points = elementary::ParameterReader(flight).points("waypoints");
-  if (points.empty()) return nullptr;
+  std::vector<Vector3> way = elementary::ParameterReader(flight).points("waypoints");
+  if (way.empty()) return nullptr;
+  way.insert(way.begin(), from);
   const Vector3& at = state.position;
-  std::vector<Vector3> rest{at, points.front()};
-  if (points.size() > 1) rest = world::rest_of(points, at);
+  const std::vector<Vector3> rest = world::rest_of(way, at);
   for (const world::Volume& volume : volumes) {
     const bool closes = volume.when.overlaps({now, now + kAhead});
     if (!closes || crosses(volume, model.body_radius, at, at)) continue;

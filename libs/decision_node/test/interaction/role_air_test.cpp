@@ -21,7 +21,7 @@ const world::Volume* met(const Vector3& at, const std::vector<double>& waypoints
                          const std::vector<world::Volume>& volumes) {
   world::VehicleState state;
   state.position = at;
-  return closed_ahead({{"waypoints", "", waypoints}}, state, {}, volumes,
+  return closed_ahead({{"waypoints", "", waypoints}}, {0, 0, 40}, state, {}, volumes,
                       MissionTime::seconds(100));
 }
 
@@ -35,6 +35,13 @@ TEST(ClosedAhead, IsTheVolumeThatTheRestOfTheWayComesInto) {
 
 TEST(ClosedAhead, IsNothingWhereItHasFlownBy) {
   EXPECT_EQ(met({350, 200, 40}, {250, 0, 40, 350, 0, 40, 350, 400, 40}, {smoke(90, 500)}), nullptr);
+}
+
+// Straight to the second way-point it would come into it.
+TEST(ClosedAhead, IsNothingBesideAWayAround) {
+  const std::vector<double> around{0, 100, 40, 350, 100, 40, 350, 0, 40};
+  for (const Vector3& at : {Vector3(0, 0, 40), Vector3(10, 50, 40), Vector3(320, 98, 40)})
+    EXPECT_EQ(met(at, around, {smoke(90, 500)}), nullptr) << at.transpose();
 }
 
 TEST(ClosedAhead, CountsWhatIsClosedNowOrSoon) {

@@ -27,8 +27,9 @@ struct FreeAir {
   std::function<bool(const Position&)> holds;  ///< whether a position is permitted; pure
 };
 /// Positions in the airspace's box over the terrain, between `clearance` and the vehicle's ceiling
-/// over the ground, and in no volume that is closed at some time from `at` on. The world must
-/// outlive the result.
+/// over the ground, and neither in nor beside a volume that is closed at some time from `at` on: as
+/// far from it as ways there keep (the vehicle's radius) and 1 m. The world must outlive the
+/// result.
 FreeAir free_air_of(const world::World& world, const world::VehicleModel& vehicle, double clearance,
                     MissionTime at);
 
