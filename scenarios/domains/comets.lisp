@@ -65,9 +65,10 @@
 (defun is-near (how a b)
   (let ((x (- (second a) (second b))) (y (- (third a) (third b))))
     (< (+ (* x x) (* y y)) (if (eq how 'driving) 25 400))))
+(defun is-look-from (how at one) (and (eq (first one) 'looked) (is-near how (third one) at)))
 (defun left-to-look-from (how at wanted done)
-  (left-of wanted (total 'looked (remove-if-not (lambda (one) (and (eq (first one) 'looked) (is-near how (third one) at)))
-                                                done))))
+  (left-of wanted (total 'looked (remove-if-not (lambda (one) (is-look-from how at one)) done))))
+(defun done-elsewhere (how at done) (remove-if (lambda (one) (is-look-from how at one)) done))
 (defun reached-before (done)
   (mapcar (lambda (one) (second one)) (remove-if-not (lambda (one) (eq (first one) 'reached)) done)))
 (defun has-met (sync done) (member (list 'synchronised sync) done :test 'equal))
@@ -670,19 +671,20 @@
     (:first (uavloc ?_how ?from)
       (devices-for perception ?devices) (assign* ?device ?devices) (may-begin ?tc ?when)
       (three-sides-for ?from ?place ?device ?when ?seconds ?points)
-      (assign ?each (/ (* 1.0d0 ?seconds) (length ?points))))
-      ((monitor-from ?points ?place ?device ?each ?tc ?origin)))
-  (:method (monitor-from ?points ?place ?device ?seconds ?tc ?origin)
+      (assign ?each (/ (* 1.0d0 ?seconds) (length ?points))) (done-before ?origin ?done))
+      ((monitor-from ?points ?place ?device ?each ?done ?tc ?origin)))
+  ; A look from between two angles counts for one of them.
+  (:method (monitor-from ?points ?place ?device ?seconds ?done ?tc ?origin)
     all-angles ((call null ?points)) ()
     seen-before
-    ((uavloc ?how ?_from) (assign ?to (first ?points)) (assign ?others (rest ?points)) (done-before ?origin ?done)
-      (call = (left-to-look-from ?how ?to ?seconds ?done) 0))
-      ((monitor-from ?others ?place ?device ?seconds ?tc ?origin))
+    ((uavloc ?how ?_from) (assign ?to (first ?points)) (assign ?others (rest ?points))
+      (call = (left-to-look-from ?how ?to ?seconds ?done) 0) (assign ?elsewhere (done-elsewhere ?how ?to ?done)))
+      ((monitor-from ?others ?place ?device ?seconds ?elsewhere ?tc ?origin))
     next-angle
-    ((uavloc ?how ?_from) (assign ?to (first ?points)) (assign ?others (rest ?points)) (done-before ?origin ?done)
-      (assign ?left (left-to-look-from ?how ?to ?seconds ?done)))
+    ((uavloc ?how ?_from) (assign ?to (first ?points)) (assign ?others (rest ?points))
+      (assign ?left (left-to-look-from ?how ?to ?seconds ?done)) (assign ?elsewhere (done-elsewhere ?how ?to ?done)))
       ((go ?to ?left ?tc ?origin) (stay-and-shoot ?device ?place ?left ?tc ?origin)
-       (monitor-from ?others ?place ?device ?seconds ?tc ?origin)))
+       (monitor-from ?others ?place ?device ?seconds ?elsewhere ?tc ?origin)))
 
   ; ================ methods: synchronisation
 

@@ -260,6 +260,25 @@ TEST(PlanningProgress, MonitoringGoesOnFromTheSidesThatAreLeft) {
   EXPECT_EQ(plan.tasks[4].duration.least, Duration::seconds(30));
 }
 
+// Found by --mixed 960022: a fire that was seen nearer than it was thought to be moved the sides to
+// both hands of where the UAV had looked from.
+TEST(PlanningProgress, ALookFromBetweenTwoSidesCountsForOneOfThem) {
+  PlanningLab lab = with_marvin();
+  for (auto& sensor : lab.knowledge.vehicle.sensors) sensor.range = 45;
+  lab.task(7, "perform-monitoring", {"tree"s, 90.0});
+  const auto whole = planned(lab);
+  const Vector3 first = whole.tasks.at(0).way.back(), second = whole.tasks.at(3).way.back();
+  ASSERT_LT((first - second).norm(), 40) << "with one in the middle that is near to both";
+  lab.situation.done[mission::GoalId(7)].looks = {
+      {"visible", (first + second) / 2, Duration::seconds(10)}};
+
+  Duration left;
+  for (const auto& task : planned(lab).tasks)
+    if (task.type == "wait") left = left + task.duration.least;
+
+  EXPECT_EQ(left, Duration::seconds(80));
+}
+
 TEST(PlanningProgress, PartnersThatHaveMetDoNotWaitForEachOtherAgain) {
   PlanningLab lab = flying();
   lab.uav("karma", {"karma", "heliv"});
