@@ -48,7 +48,7 @@ TEST(Assembly, EveryNameOfTheRosterThatIsNoPersonsMakesANodeThatStarts) {
     SCOPED_TRACE(member.name);
     const auto node = make_node(scenario, member.name);
     ASSERT_NE(node, nullptr);
-    EXPECT_NO_FATAL_FAILURE((void)node->handle(node::Started{1}, MissionTime()));
+    EXPECT_NO_FATAL_FAILURE((void)node->handle(node::Started{1, true}, MissionTime()));
   }
 }
 
@@ -146,7 +146,7 @@ TEST(Assembly, ADecisionNodeHasTheDegreeAndThePolicyOfItsUav) {
   scenario.uavs[2].degree = 2;
   const auto node = make_node(scenario, "karma");
 
-  const node::Effects effects = node->handle(node::Started{1}, MissionTime());
+  const node::Effects effects = node->handle(node::Started{1, true}, MissionTime());
 
   const auto* send = std::get_if<node::Send>(&effects.at(1));  // after its line of the event log
   ASSERT_NE(send, nullptr);

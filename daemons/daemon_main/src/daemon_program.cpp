@@ -224,6 +224,7 @@ std::optional<int> run(const DaemonProgram& program, const Options& options, Att
   log(config, name, memory.notices);
   config.memory = memory.log.get();
   config.incarnation = memory.incarnation;
+  config.first_life = memory.first_life;
   auto companions = open_companions(program, options, *scenario);
   if (!companions) {
     std::cerr << companions.error().why << '\n';

@@ -19,7 +19,8 @@ Memory open_memory(const std::string& folder, const store::Identity& identity) {
   const auto next = store::next_incarnation(
       folder, identity.node, static_cast<std::uint64_t>(std::max<std::int64_t>(clock, 0)));
   if (next) {
-    memory.incarnation = *next;
+    memory.incarnation = next->number;
+    memory.first_life = next->first;
   } else {
     memory.notices.push_back("its incarnation is of the clock: " + next.error().why);
   }

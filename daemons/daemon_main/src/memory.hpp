@@ -16,6 +16,7 @@ struct Memory {
   std::unique_ptr<store::SqliteInputLog> log;  ///< null: nothing is persistent
   std::vector<std::string> notices;            ///< for the log
   std::uint64_t incarnation = 0;               ///< of this process; 0: of the clock
+  bool first_life = false;                     ///< the folder knows of no life before this one
 };
 
 /// Opens or creates the memory of a node in a folder. A memory that cannot be continued is set

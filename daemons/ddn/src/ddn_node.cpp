@@ -114,7 +114,7 @@ std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
   } else if (const auto* lost = std::get_if<node::Undelivered>(&input)) {
     note(*lost);
   } else if (const auto* started = std::get_if<node::Started>(&input)) {
-    return dn::Started{started->incarnation == 1};
+    return dn::Started{started->first_life};
   } else if (std::holds_alternative<node::Wakeup>(input)) {
     return dn::Tick{};
   }

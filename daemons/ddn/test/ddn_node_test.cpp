@@ -32,7 +32,7 @@ class AtDegree : public ::testing::TestWithParam<int> {
 INSTANTIATE_TEST_SUITE_P(DdnNode, AtDegree, ::testing::Values(1, 2, 3));
 
 TEST_P(AtDegree, TellsTheGroundItsDegreeAndAnEmptyPlanWhenItStarts) {
-  EXPECT_THAT(bench.give(node::Started{1}),
+  EXPECT_THAT(bench.give(node::Started{1, true}),
               ElementsAre("ground: degree " + std::to_string(GetParam())));
 
   ASSERT_EQ(bench.boards().size(), 1U);
@@ -59,7 +59,7 @@ TEST_P(AtDegree, WhatALookFoundIsAnEventForTheGroundAsLongAsThatIsNews) {
 }
 
 TEST_P(AtDegree, SendsAPlanBoardOnlyWhenItChanged) {
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
 
   bench.from_sim(telemetry(false));
   EXPECT_THAT(bench.boards(), IsEmpty());
@@ -169,7 +169,7 @@ TEST(DdnNodeAtDegree1, PassesInterruptionsAndStatusesOn) {
 
 TEST(DdnNodeAtDegree1, HoldsNoPlan) {
   Bench bench(Bench::at_degree(1));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
 
   bench.from_ground(dispatch(4, "goto"));
 

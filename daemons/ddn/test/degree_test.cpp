@@ -78,7 +78,7 @@ TEST_P(EveryChange, IsLoggedWithWhoAskedAndHowMuchIsHeld) {
 }
 
 TEST_P(EveryChange, ShowsOnThePlanBoard) {
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
 
   bench.from_ground(degree(9, to()));
 

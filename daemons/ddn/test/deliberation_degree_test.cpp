@@ -84,7 +84,7 @@ TEST(DownFrom4, ToDegree1AGoalIsSeenAchievedWhoseLastTaskOnlyTheGroundSees) {
 
 TEST(DownFrom4, WhatIsNotPlannedYetIsPlannedWhenGivenBack) {
   Bench bench(deliberating(4));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
   bench.from_ground(mission_to(1, 7));
   bench.from_ground(degree(2, 1));
   EXPECT_EQ(state_of_goal(bench), "handed-over");
@@ -96,7 +96,7 @@ TEST(DownFrom4, WhatIsNotPlannedYetIsPlannedWhenGivenBack) {
 
 TEST(DownFrom4, WhatWasHandedOverStaysSoWithoutResume) {
   Bench bench(deliberating(4));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
   bench.from_ground(mission_to(1, 7));
   bench.from_ground(degree(2, 3));
   wire::DegreeCommand up = degree(3, 4);
@@ -110,7 +110,7 @@ TEST(DownFrom4, WhatWasHandedOverStaysSoWithoutResume) {
 
 TEST(DownFrom4, WhatWasHandedOverCanBeCancelled) {
   Bench bench(deliberating(4));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
   bench.from_ground(mission_to(1, 7));
   bench.from_ground(degree(2, 3));
 
@@ -168,7 +168,7 @@ INSTANTIATE_TEST_SUITE_P(Deliberation, TheWorld, ::testing::Values(1, 2, 3, 4));
 
 TEST_P(TheWorld, IsChangedAtEveryDegree) {
   Bench bench(deliberating(GetParam()));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
 
   EXPECT_THAT(bench.from_ground(closed_air(1)), ElementsAre("ground: reply 1 accepted"));
   EXPECT_THAT(bench.from_ground(closed_air(1)), ElementsAre("ground: reply 1 accepted"));

@@ -34,7 +34,7 @@ using Words = std::vector<std::string>;
 
 TEST(Deliberation, AMissionIsAcceptedAndPlannedAsAJob) {
   Bench bench(deliberating(4));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
 
   EXPECT_THAT(bench.from_ground(mission_to(1, 7)), ElementsAre("ground: reply 1 accepted"));
 
@@ -46,7 +46,7 @@ TEST(Deliberation, AMissionIsAcceptedAndPlannedAsAJob) {
 
 TEST(Deliberation, AMissionThatMakesNoSenseIsRefusedWithAllReasons) {
   Bench bench(deliberating(4));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
   wire::MissionRequest request = mission_to(1, 7, "flie", "P1");
   request.tasks.push_back(request.tasks[0]);
   request.tasks[1].id = 702;
@@ -65,7 +65,7 @@ TEST(Deliberation, AMissionThatMakesNoSenseIsRefusedWithAllReasons) {
 
 TEST(Deliberation, RubbishIsRefusedWithTheField) {
   Bench bench(deliberating(4));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
   wire::MissionRequest request = mission_to(1, 7);
   request.tasks[0].arguments[0].name = "colour";
 
@@ -76,7 +76,7 @@ TEST(Deliberation, RubbishIsRefusedWithTheField) {
 
 TEST(Deliberation, AMissionIsTakenOnce) {
   Bench bench(deliberating(4));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
   bench.from_ground(mission_to(1, 7));
 
   EXPECT_THAT(bench.from_ground(mission_to(1, 7)), ElementsAre("ground: reply 1 accepted"));
@@ -85,7 +85,7 @@ TEST(Deliberation, AMissionIsTakenOnce) {
 
 TEST(Deliberation, MissionsAreTakenFromTheGroundOnly) {
   Bench bench(deliberating(4));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
 
   EXPECT_THAT(bench.from_heliv(mission_to(1, 7)), IsEmpty());
   EXPECT_THAT(bench.from_heliv(wire::WorldChange{}), IsEmpty());
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Deliberation, BelowDegree4, ::testing::Values(1, 2, 3))
 
 TEST_P(BelowDegree4, MissionsAreRefused) {
   Bench bench(deliberating(GetParam()));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
 
   EXPECT_THAT(bench.from_ground(mission_to(1, 7)),
               ElementsAre("ground: reply 1 refused: degree " + std::to_string(GetParam()) +
@@ -115,7 +115,7 @@ TEST_P(BelowDegree4, WithoutAPlanningDomainTheyAreRefusedForWantOfIt) {
 
 TEST_P(BelowDegree4, AMissionIsTakenOnceTheDegreeIs4) {
   Bench bench(deliberating(GetParam()));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
   bench.from_ground(degree(1, 4));
 
   EXPECT_THAT(bench.from_ground(mission_to(2, 7)), ElementsAre("ground: reply 2 accepted"));
@@ -127,7 +127,7 @@ TEST_P(BelowDegree4, AMissionIsTakenOnceTheDegreeIs4) {
 class WhileAJobRuns : public ::testing::Test {
  protected:
   WhileAJobRuns() {
-    bench.give(node::Started{1});
+    bench.give(node::Started{1, true});
     bench.from_ground(start(1, a_task(5, "takeshot")));
     bench.from_ground(mission_to(2, 7));
     job = bench.jobs().at(0).id;
@@ -174,7 +174,7 @@ TEST(Deliberation, AJobGivesTheResultThatTheNodeTakes) {
   std::vector<node::StartJob> jobs;
   {
     Bench bench(deliberating(4));
-    bench.give(node::Started{1});
+    bench.give(node::Started{1, true});
     bench.from_ground(mission_to(1, 7));
     jobs = bench.jobs();
   }
@@ -188,7 +188,7 @@ TEST(Deliberation, AJobGivesTheResultThatTheNodeTakes) {
 
 TEST(Deliberation, APlanIsToldAndBegun) {
   Bench bench(deliberating(4));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
   bench.from_sim(telemetry(false));
   bench.from_ground(mission_to(1, 7));
 
@@ -238,7 +238,7 @@ TEST(Deliberation, ATaskIsLoggedAgainOnlyWhenSomethingOfItChanged) {
 
 TEST(Deliberation, AMissionWithoutAPlanIsAnsweredWithTheReasons) {
   Bench bench(deliberating(4));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
   bench.from_ground(mission_to(1, 7));
   supervisor::InsertionOutcome none;
   none.reasons = {"no way to P1", "no energy"};
@@ -264,7 +264,7 @@ TEST(Deliberation, AGoalIsAchievedWhenItsTasksHaveEnded) {
 
 TEST(Deliberation, ABrokenDeviceIsKnownToTheSupervisor) {
   Bench bench(deliberating(4));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
   wire::Telemetry broken = telemetry(false);
   broken.failed = {"camera"};
   bench.from_sim(broken);
@@ -275,7 +275,7 @@ TEST(Deliberation, ABrokenDeviceIsKnownToTheSupervisor) {
 
 TEST(Deliberation, AJointTaskIsRefusedForWantOfInteractionModels) {
   Bench bench(deliberating(4));
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
   bench.from_ground(mission_to(1, 7));
   supervisor::InsertionOutcome outcome;
   outcome.plan = mission::ElementaryPlan{};

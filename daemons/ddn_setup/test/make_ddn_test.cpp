@@ -18,7 +18,7 @@ scenario::Scenario scenario_at(const std::string& name) {
 
 /// What the node says of its autonomy when it starts; nothing where it says nothing.
 std::optional<wire::AutonomyDegree> degree_said_by(node::Node& node) {
-  for (const node::Effect& effect : node.handle(node::Started{1}, MissionTime())) {
+  for (const node::Effect& effect : node.handle(node::Started{1, true}, MissionTime())) {
     const auto* send = std::get_if<node::Send>(&effect);
     if (send == nullptr) continue;
     if (const auto* degree = std::get_if<wire::AutonomyDegree>(&send->sample)) return *degree;

@@ -11,9 +11,7 @@ AirDesk::AirDesk(const node::Roster& roster, const std::vector<std::string>& mem
 // What makes no sense is as if it had not come.
 std::optional<node::Effects> AirDesk::hear(const node::Input& input, MissionTime now) {
   if (const auto* started = std::get_if<node::Started>(&input)) {
-    // Before the mission's clock runs it is the first life, whatever its number: a daemon's first
-    // one is of the clock on the wall.
-    witness_.begin(started->incarnation == 1 || now == MissionTime(), now);
+    witness_.begin(started->first_life, now);
     return std::nullopt;
   }
   const auto* received = std::get_if<node::Received>(&input);

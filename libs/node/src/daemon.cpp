@@ -105,8 +105,8 @@ class Daemon {
     if (listens_until_ && Waker::steady_now() >= *listens_until_) lead_again();
     // A daemon that is restarted in mid-mission must not live at mission time zero.
     const bool has_time = config_.leads_clock ? !listens_until_ : clock_heard_;
-    if (!host_->started() && has_time) host_->start(now());
-    if (!introduced_as_ready_ && host_->all_peers_heard()) introduce();
+    if (!host_->started() && has_time) host_->start(now(), is_first_life());
+    if (!introduced_as_ready_ && is_ready()) introduce();
     if (config_.leads_clock && !listens_until_) lead();
     flush_journal();
     host_->lines_have_left();
@@ -114,6 +114,13 @@ class Daemon {
       const double rate = config_.leads_clock ? config_.rate : follower_.rate();
       config_.companion->turn({now(), rate, phase()});
     }
+  }
+
+  /// The clock does not begin before everybody hears it, so that all lives begin with it.
+  bool is_ready() const { return host_->started() && host_->all_peers_heard(); }
+
+  bool is_first_life() {
+    return config_.first_life || (config_.world && now().mission == MissionTime());
   }
 
   void hear_companion() {
@@ -231,7 +238,7 @@ class Daemon {
     entry.name = self_.name;
     entry.role = self_.role;
     entry.vendor = blackboard::name_of(config_.network.dds);
-    entry.ready = introduced_as_ready_ = host_->all_peers_heard();
+    entry.ready = introduced_as_ready_ = is_ready();
     entry.process = static_cast<std::uint32_t>(getpid());
     host_->publish(entry, now());
   }

@@ -159,12 +159,12 @@ Host::Host(const Roster& roster, const Member& self, std::unique_ptr<Node> node,
       ports_(std::move(ports)),
       node_due_(node_->next_wakeup()) {}
 
-void Host::start(Now now) {
+void Host::start(Now now, bool first_life) {
   SKEIN_EXPECTS(!started_);
   started_ = true;
   if (!resumed_from_ || config_.forgets) {
     carry_out(std::exchange(left_, {}), now);
-    give(Started{config_.incarnation}, now);
+    give(Started{config_.incarnation, first_life && !resumed_from_}, now);
   } else {
     remember(Resumed{}, now);
     log(lines::Resumed{resumed_from_->to_seconds()}, now);

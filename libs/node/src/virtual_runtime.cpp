@@ -129,7 +129,7 @@ class VirtualRun {
                            config, ports_of(seat));
     SKEIN_ENSURES(host.has_value());
     seat.host = std::move(*host);
-    seat.host->start(now());
+    seat.host->start(now(), seat.incarnation == 1);
     seat.host->lines_have_left();
     seat.touched = true;
   }

@@ -189,6 +189,26 @@ TEST_P(Daemons, MissionTimeAdvancesAtTheFollowersInStepWithTheLeaders) {
   }
 }
 
+// Without a state folder all that they know is whether the mission's clock has begun.
+TEST_P(Daemons, OneThatIsThereBeforeTheClockBeginsLivesForTheFirstTime) {
+  const auto lives_of_a = [this](const std::string& what) {
+    const auto lines = read("a");
+    return std::count_if(lines.begin(), lines.end(), [&](const std::string& line) {
+      return line.find('"' + what + '"') != std::string::npos;
+    });
+  };
+  start_all();
+  ASSERT_TRUE(until([&] { return ticks_read("a") >= 50; }));
+  EXPECT_EQ(lives_of_a("first life"), 1);
+
+  stop("a", SIGKILL);
+  ASSERT_TRUE(until_ended("a"));
+  start("a");
+
+  EXPECT_TRUE(until([&] { return lives_of_a("another life") == 1; }));
+  EXPECT_EQ(lives_of_a("first life"), 1);
+}
+
 TEST_P(Daemons, JobsComeBackWhileTheLoopGoesOn) {
   start_all();
 

@@ -26,6 +26,15 @@ TEST_F(Hosts, StartingTellsTheNodeItsIncarnation) {
 
   ASSERT_EQ((*this)["marvin"].diary.all<Started>().size(), 1U);
   EXPECT_EQ((*this)["marvin"].diary.all<Started>()[0].incarnation, 3U);
+  EXPECT_FALSE((*this)["marvin"].diary.all<Started>()[0].first_life);
+}
+
+TEST_F(Hosts, TheNodeIsToldThatItLivesForTheFirstTime) {
+  open("marvin", 3);
+
+  (*this)["marvin"].host->start(now(), true);
+
+  EXPECT_TRUE((*this)["marvin"].diary.all<Started>()[0].first_life);
 }
 
 TEST_F(Hosts, WhatComesBeforeTheStartIsHandledAndLoggedAfterIt) {

@@ -215,6 +215,8 @@ TEST_F(Virtual, ACrashedNodeIsStartedAgainAsANewIncarnation) {
   const auto started = of["a"].all<Started>();
   ASSERT_EQ(started.size(), 2U);
   EXPECT_EQ(started[1].incarnation, 2U);
+  EXPECT_TRUE(started[0].first_life);
+  EXPECT_FALSE(started[1].first_life);
   EXPECT_EQ(lines("fault"),
             (std::vector<std::string>{
                 R"({"at":3,"node":"runner","kind":"fault","what":"kill","target":"a"})",

@@ -52,8 +52,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     remember(folder.path(), bytes);
   } else {
     write(folder.path() / "marvin.incarnation", bytes);
-    const auto number = next_incarnation(folder.path(), "marvin", 1'000);
-    require(number ? *number >= 1'000 : !number.error().why.empty());
+    const auto next = next_incarnation(folder.path(), "marvin", 1'000);
+    require(next ? next->number >= 1'000 : !next.error().why.empty());
   }
   return 0;
 }

@@ -75,16 +75,16 @@ Result<void, Failure> keep(const fs::path& file, std::uint64_t incarnation) {
 
 }  // namespace
 
-Result<std::uint64_t, Failure> next_incarnation(const fs::path& folder, const std::string& node,
-                                                std::uint64_t clock) {
+Result<Incarnation, Failure> next_incarnation(const fs::path& folder, const std::string& node,
+                                              std::uint64_t clock) {
   std::error_code refused;
   fs::create_directories(folder, refused);  // what is refused is said when it is written
   const fs::path file = folder / (node + ".incarnation");
   const auto last = last_incarnation(file);
-  if (!last) return last;
+  if (!last) return tl::unexpected(last.error());
   const std::uint64_t next = std::max(*last + 1, std::min(clock, kLast - 1));
   if (auto kept = keep(file, next); !kept) return tl::unexpected(kept.error());
-  return next;
+  return Incarnation{next, *last == 0};
 }
 
 }  // namespace skein::store

@@ -36,7 +36,10 @@ std::int64_t flags_of(bool first, bool second) {
   return (first ? kFirst : 0) | (second ? kSecond : 0);
 }
 
-void fill(Row& row, const node::Started& one) { row.value = to_signed(one.incarnation); }
+void fill(Row& row, const node::Started& one) {
+  row.value = to_signed(one.incarnation);
+  row.flags = flags_of(one.first_life, false);
+}
 void fill(Row& row, const node::Received& one) {
   row.peer = one.from.value();
   row.slot = name_of(wire::slot_of(one.sample));
@@ -119,7 +122,7 @@ Result<LoggedInput, Failure> of_a_peer(const Row& row, bool first, bool second) 
 
 Result<LoggedInput, Failure> input_of(const Row& row) {
   const bool first = (row.flags & kFirst) != 0, second = (row.flags & kSecond) != 0;
-  if (row.kind == "started") return node::Started{to_unsigned(row.value)};
+  if (row.kind == "started") return node::Started{to_unsigned(row.value), first};
   if (row.kind == "wakeup") return node::Wakeup{};
   if (row.kind == "resumed") return node::Resumed{};
   if (row.kind == "unsent") return node::Unsent{to_unsigned(row.value)};

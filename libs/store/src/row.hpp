@@ -21,8 +21,8 @@ struct Row {
   std::string slot;        ///< name of the slot
   std::int64_t value = 0;  ///< incarnation, sequence, job, send
   std::int64_t extra = 0;  ///< questions asked, the sender's incarnation, receipt
-  std::int64_t flags =
-      0;  ///< bit 0: reachable, clock given, may have arrived; bit 1: restarted, ran out
+  /// Bit 0: first life, reachable, clock given, may have arrived; bit 1: restarted, ran out.
+  std::int64_t flags = 0;
   std::vector<std::uint8_t> body;  ///< the sample as on the wire
 };
 

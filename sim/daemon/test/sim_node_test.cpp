@@ -422,7 +422,7 @@ TEST(SimNode, TellsADecisionNodeWhatDoesNotWork) {
 
 TEST(SimNode, BornAgainItsVehiclesAreWhereTheyAreAndItKnowsNoTask) {
   Rig rig;
-  rig.give(node::Started{1}, 0);
+  rig.give(node::Started{1, true}, 0);
   rig.take_off("marvin", 1);
   rig.run_until(4);
   const double height = rig.sent<wire::Telemetry>().front().second.position.z;
@@ -447,7 +447,7 @@ TEST(SimNode, BornAgainItsVehiclesAreWhereTheyAreAndItKnowsNoTask) {
 
 TEST(SimNode, WhatEndedWhileItWasDeadNobodyIsTold) {
   Rig rig;
-  rig.give(node::Started{1}, 0);
+  rig.give(node::Started{1, true}, 0);
   rig.take_off("marvin", 1);
 
   rig.give(node::Started{2}, 60);

@@ -105,7 +105,7 @@ inline std::vector<std::string> finish(Bench& bench, std::uint64_t job,
 
 /// Mission 7 is planned as takeoff 100, goto 101, land 102, and begun.
 inline void plan(Bench& bench) {
-  bench.give(node::Started{1});
+  bench.give(node::Started{1, true});
   bench.hear_ground(true);
   bench.from_sim(telemetry(false));
   bench.from_ground(mission_to(1, 7));

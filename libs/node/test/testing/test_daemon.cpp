@@ -36,6 +36,8 @@ class Talker final : public Node {
       const auto* beside = std::any_cast<bool>(&done->result);
       return {note(beside != nullptr && *beside ? "beside" : "job", done->id, now)};
     }
+    if (const auto* started = std::get_if<Started>(&input))
+      return {note(started->first_life ? "first life" : "another life", 0, now)};
     if (!std::holds_alternative<Wakeup>(input)) return {};
     next_ = next_ + skein::Duration::seconds(1);
     Effects effects;

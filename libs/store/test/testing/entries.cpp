@@ -27,7 +27,7 @@ std::string words_of(const node::LoggedInput& input) {
   };
   return std::visit(
       Overloaded{
-          [&](const node::Started& one) { return numbers(one.incarnation); },
+          [&](const node::Started& one) { return numbers(one.incarnation, int{one.first_life}); },
           [&](const node::Received& one) {
             std::vector<std::uint8_t> bytes(blackboard::encoded_size(one.sample));
             blackboard::encode(one.sample, bytes);
@@ -59,7 +59,7 @@ std::string words_of(const node::LoggedInput& input) {
 }  // namespace
 
 std::vector<node::LogEntry> one_of_each() {
-  std::vector<node::LoggedInput> inputs{node::Started{77}};
+  std::vector<node::LoggedInput> inputs{node::Started{77, true}};
   for (wire::Sample& sample : every_sample(std::make_index_sequence<wire::kSlotCount>())) {
     wire::SampleHeader& header = wire::header_of(sample);
     header.origin = 11;

@@ -28,6 +28,9 @@ struct DaemonConfig {
   std::vector<std::string> awaited;  ///< leader: the clock starts when all of these are ready
   /// Greater than those of all former incarnations; 0: taken from the clock [ns since 1970].
   std::uint64_t incarnation = 0;
+  /// Nothing is known of a life before this one (see Started). With a world channel that is also
+  /// known when the mission's clock has not begun.
+  bool first_life = false;
   /// See HostConfig. Without a world channel a daemon that does not lead takes mission time from
   /// its peers' samples, continues by its own clock while it hears none, and runs until a signal
   /// stops it.

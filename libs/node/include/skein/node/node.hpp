@@ -20,7 +20,10 @@ using blackboard::NodeNumber;
 
 /// First input of a node's life.
 struct Started {
-  std::uint64_t incarnation = 1;  ///< above 1: it was restarted in this mission
+  std::uint64_t incarnation = 1;  ///< greater than those of its former lives
+  /// No life of this node was before, as far as its state folder and the mission's clock know.
+  /// False: it may have forgotten one.
+  bool first_life = false;
 };
 /// A sample arrived: well formed, new and in order. `header_of(sample).origin` is its author.
 struct Received {
