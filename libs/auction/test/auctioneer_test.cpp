@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "skein/auction/bidder.hpp"
 #include "testing/road_team.hpp"
@@ -71,6 +73,51 @@ TEST_F(AuctioneerTest, EverybodyIsCalledFirst) {
   ASSERT_THAT(calls, SizeIs(2));
   EXPECT_THAT(std::get<Call>(calls[0].message).items, SizeIs(4));
   EXPECT_EQ(auctioneer->rounds(), 1U);
+}
+
+// As a ledger may have them that was put together after a cut.
+TEST(Auctioneer, SellsRoutesThatWaitForEachOtherAnew) {
+  const auto number = [](std::uint32_t n) { return TaskNumber(n); };
+  Lot lot;
+  for (std::uint32_t n = 1; n <= 4; ++n) {
+    Task task;
+    task.number = number(n);
+    task.at = {10.0 * n, 0};
+    lot.tasks.push_back(task);
+  }
+  lot.precedences = {{number(1), number(2), {}}, {number(3), number(4), {}}};
+  const MemberNumber one(0), other(1);
+  SaleLimits without_trades;
+  without_trades.patience = 1;
+  Auctioneer auctioneer({SaleNumber(7),
+                         std::make_shared<const Catalogue>(lot),
+                         {{one, {number(2), number(3)}, 0}, {other, {number(4), number(1)}, 0}},
+                         {},
+                         without_trades,
+                         1});
+  const LineCraft craft(0);
+  SaleEffects all = auctioneer.start(at(0));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto* send = std::get_if<Send>(&all[i]);
+    if (send == nullptr) continue;
+    const ToAuctioneer said = Bidder(send->to, craft).handle(send->message);
+    for (SaleEffect& effect : auctioneer.handle(said, at(0.1))) all.push_back(std::move(effect));
+  }
+
+  ASSERT_TRUE(std::holds_alternative<Ended>(all.back()));
+  std::set<TaskNumber> held;
+  for (const auto& route : auctioneer.routes()) {
+    held.insert(route.tasks.begin(), route.tasks.end());
+    const auto place = [&](std::uint32_t n) { return std::ranges::find(route.tasks, number(n)); };
+    const auto end = route.tasks.end();
+    EXPECT_TRUE(place(1) == end || place(2) == end || place(1) < place(2));
+    EXPECT_TRUE(place(3) == end || place(4) == end || place(3) < place(4));
+  }
+  const auto routes = auctioneer.routes();
+  const bool as_before = routes[0].tasks == std::vector{number(2), number(3)} &&
+                         routes[1].tasks == std::vector{number(4), number(1)};
+  EXPECT_FALSE(as_before);
+  EXPECT_THAT(held, SizeIs(4));
 }
 
 TEST_F(AuctioneerTest, NothingIsAwardedBeforeAllHaveAnswered) {
