@@ -153,6 +153,17 @@ TEST(ReasonsLaw, WhatAPartnerSaidOfSilenceIsThePartnersWord) {
   EXPECT_THAT(passed_on("task 1002 aborted"), ElementsAre(HasSubstr("'heliv' never said so")));
 }
 
+// Found by storms (agreed-places/pursuit 601): it was still on its way out of its role.
+TEST(ReasonsLaw, WhyAPartnerLeavesAJointTaskIsItsWord) {
+  const std::string word = "no contact with 'marvin' since 274 s";
+  Story story;
+  story.goal("marvin", 7, kMeeting, "under-way", 100)
+      .goal("marvin", 7, kMeeting, "failed", 800, "'heliv' left: " + word)
+      .stands("marvin", 0, 2000);
+  story.leaves("heliv", 334, word).stands("heliv", 0, 2000);
+  EXPECT_THAT(story.broken("reasons"), IsEmpty());
+}
+
 TEST(ReasonsLaw, SinceWhenIsSaid) {
   EXPECT_THAT(given_up("").fault(50, "kill", "heliv").broken("reasons"),
               ElementsAre(HasSubstr("it does not say since when")));

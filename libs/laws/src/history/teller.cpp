@@ -122,6 +122,9 @@ class UavTeller {
     say(when, "contact: " + line.policy);
     if (!line.why.empty()) say(when, line.why);
   }
+  void hear(const lines::Joint& line, const Written& when) {
+    if (!line.why.empty()) say(when, line.why);
+  }
   void hear(const lines::Decision& line, const Written& when) {
     say(when, line.operator_ + ": " + line.cause + ": " + line.inputs + ": " + line.outcome);
   }
@@ -349,9 +352,9 @@ class Teller {
     if (found == history_.uavs.end()) return true;
     UavTeller uav(found->second);
     return journal::hand_on<lines::Telemetry, lines::Functional, lines::Task, lines::Goal,
-                            lines::Planned, lines::RoleTask, lines::Degree, lines::Answer,
-                            lines::Meeting, lines::Frontier, lines::Notice, lines::Contact,
-                            lines::Decision>(record, uav);
+                            lines::Planned, lines::RoleTask, lines::Joint, lines::Degree,
+                            lines::Answer, lines::Meeting, lines::Frontier, lines::Notice,
+                            lines::Contact, lines::Decision>(record, uav);
   }
 
   History history_;

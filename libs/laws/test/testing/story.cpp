@@ -8,6 +8,7 @@
 
 #include "skein/journal/lines/deliberation.hpp"
 #include "skein/journal/lines/execution.hpp"
+#include "skein/journal/lines/joint.hpp"
 #include "skein/journal/lines/mission.hpp"
 #include "skein/journal/lines/radio.hpp"
 #include "skein/journal/lines/team.hpp"
@@ -123,6 +124,10 @@ Story& Story::goal(const std::string& uav, int id, const std::string& statement,
 
 Story& Story::says(const std::string& uav, double at, const std::string& text) {
   return add(at, uav, lines::Notice{.uav = uav, .text = text});
+}
+
+Story& Story::leaves(const std::string& uav, double at, const std::string& why) {
+  return add(at, uav, lines::Joint{.uav = uav, .phase = "leaving", .why = why});
 }
 
 Story& Story::decides(const std::string& uav, double at, const std::string& applied,

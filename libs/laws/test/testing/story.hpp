@@ -82,6 +82,8 @@ class Story {
   Story& goal(const std::string& uav, int id, const std::string& statement,
               const std::string& state, double at, const std::string& why = "");
   Story& says(const std::string& uav, double at, const std::string& text);
+  /// A joint task, with its reason.
+  Story& leaves(const std::string& uav, double at, const std::string& why);
   Story& decides(const std::string& uav, double at, const std::string& applied,
                  const std::string& cause, const std::string& outcome);
   Story& answer(const std::string& uav, double at, const Answered& what);

@@ -96,7 +96,7 @@ struct Closing {
   double opened = kNever;
 };
 
-/// Something said: a notice, or the cause and outcome of a decision.
+/// Something said: a notice, why a joint task is left, or the cause and outcome of a decision.
 struct Word {
   double at = 0;
   std::string text;
