@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "own_tasks.hpp"
 
-#include <algorithm>
-
 #include "execution.hpp"
 
 namespace skein::decision_node {
 
 void OwnTasks::start(const std::string& type, functional::Parameters parameters,
                      executive::InsertionMode mode) {
-  const std::int64_t milliseconds = std::max<std::int64_t>(bus_.now().count(), 0) / 1'000'000;
-  next_ =
-      std::max(next_, functional::kFirstOwnId.value() + static_cast<std::uint64_t>(milliseconds));
   executive::Task task;
-  task.id = executive::TaskId(next_++);
+  task.id = executive::TaskId(functional::kFirstOwnId.value() + ids_.next(bus_.now()));
   task.type = type;
   task.parameters = std::move(parameters);
   execution_.run(executive::Start{std::move(task), mode});

@@ -2,11 +2,11 @@
 // Tasks that the decision node makes by itself to keep its vehicle safe.
 #pragma once
 
-#include <cstdint>
 #include <set>
 #include <string>
 
 #include "bus.hpp"
+#include "skein/foundation/rising.hpp"
 
 namespace skein::decision_node {
 
@@ -37,7 +37,7 @@ class OwnTasks {
   Execution& execution_;
   std::set<functional::TaskId> open_, under_way_;
   bool given_up_ = false;
-  std::uint64_t next_ = functional::kFirstOwnId.value();
+  Rising ids_;  ///< from kFirstOwnId on
 };
 
 }  // namespace skein::decision_node

@@ -142,11 +142,7 @@ void Interaction::leave_all(const std::string& why) {
 }
 
 executive::TaskId Interaction::next_id() {
-  const std::int64_t milliseconds =
-      std::max<std::int64_t>(host_.bus().now().count(), 0) / 1'000'000;
-  next_id_ =
-      std::max(next_id_, host_.first_role_id().value() + static_cast<std::uint64_t>(milliseconds));
-  return executive::TaskId(next_id_++);
+  return executive::TaskId(host_.first_role_id().value() + ids_.next(host_.bus().now()));
 }
 
 JointTask* Interaction::about(const std::string& subject) {

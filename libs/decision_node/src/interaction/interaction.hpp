@@ -14,6 +14,7 @@
 #include "interaction/joint_host.hpp"
 #include "interaction/joint_task.hpp"
 #include "interaction/sightings.hpp"
+#include "skein/foundation/rising.hpp"
 #include "skein/foundation/tally.hpp"
 
 namespace skein::decision_node {
@@ -92,7 +93,7 @@ class Interaction final : public Component {
   std::map<std::pair<std::string, std::string>, Refusal> refusals_;  ///< by subject and UAV
   std::map<executive::TaskId, world::Vector3> flights_;  ///< of roles, under way, and from where
   std::set<executive::TaskId> closed_ways_;              ///< those aborted since theirs has closed
-  std::uint64_t next_id_ = 0;
+  Rising ids_;  ///< of tasks of roles, from the first one on
   std::map<std::uint64_t, interaction::SessionId> reckonings_;  ///< by job
   std::uint64_t last_reckoning_ = 0;
   Tally<std::pair<std::string, std::string>> rejected_{64};  ///< messages, by sender and reason

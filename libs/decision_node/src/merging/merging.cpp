@@ -8,6 +8,7 @@
 #include "role_ids.hpp"
 #include "skein/elementary/parameter_reader.hpp"
 #include "skein/foundation/joined.hpp"
+#include "skein/foundation/rising.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/mission/degree.hpp"
 #include "skein/supervisor/way_home.hpp"
@@ -380,7 +381,7 @@ std::optional<MissionTime> Merging::next_wakeup() const {
 void Merging::begin(const Started& started) {
   if (!started.first_life)
     aside_ = functional::TaskId(functional::kFirstAsideId.value() +
-                                merging::Rising::least(core_.bus().now()));
+                                Rising::least(core_.bus().now()));
   if (merger_ && started.first_life) give(merging::FirstLife{});
 }
 

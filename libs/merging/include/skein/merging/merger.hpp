@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "skein/foundation/repeats.hpp"
+#include "skein/foundation/rising.hpp"
 #include "skein/foundation/time.hpp"
 #include "skein/merging/message.hpp"
-#include "skein/merging/rising.hpp"
 #include "skein/merging/standby.hpp"
 
 namespace skein::merging {

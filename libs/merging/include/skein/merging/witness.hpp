@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "skein/foundation/rising.hpp"
 #include "skein/foundation/time.hpp"
 #include "skein/merging/message.hpp"
-#include "skein/merging/rising.hpp"
 
 namespace skein::merging {
 

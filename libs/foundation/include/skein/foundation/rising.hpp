@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Increasing numbers of messages and requests.
+// Increasing numbers of messages, requests and tasks.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 #include "skein/foundation/time.hpp"
 
-namespace skein::merging {
+namespace skein {
 
 /// Numbers that increase also over a restart without memory: none is below mission time [ms].
 struct Rising {
@@ -20,4 +20,4 @@ struct Rising {
   std::uint64_t next(MissionTime now) { return last = std::max(last + 1, least(now)); }
 };
 
-}  // namespace skein::merging
+}  // namespace skein
