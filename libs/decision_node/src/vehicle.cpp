@@ -16,20 +16,31 @@ bool holds_vehicle(const std::string& type) {
   return functional::TaskTypes::shipped().of(type).holds_vehicle();
 }
 
+/// Both move or hold the vehicle, or use the same device.
+bool exclude_each_other(const functional::Request& one, const functional::Request& other) {
+  if (holds_vehicle(one.type)) return holds_vehicle(other.type);
+  const auto* device = one.parameters.find("device");
+  const auto* used = other.parameters.find("device");
+  return device != nullptr && used != nullptr && device->text == used->text;
+}
+
 }  // namespace
 
 bool Vehicle::must_wait(const functional::Request& request) const {
-  if (!holds_vehicle(request.type)) return false;
-  return !ending_.empty() || (!is_own(request.id) && !own_tasks_.none_open()) ||
-         !in_the_way(request.id).empty();
+  if (!in_the_way(request).empty()) return true;
+  return holds_vehicle(request.type) &&
+         (!ending_.empty() || (!is_own(request.id) && !own_tasks_.none_open()));
 }
 
-std::vector<functional::TaskId> Vehicle::in_the_way(functional::TaskId task) const {
-  std::vector<functional::TaskId> motions;
-  if (is_of_ground(task)) return motions;
-  for (const auto& [one, type] : of_ground_)
-    if (one != task && under_way_.contains(one) && holds_vehicle(type)) motions.push_back(one);
-  return motions;
+std::vector<functional::TaskId> Vehicle::in_the_way(const functional::Request& request) const {
+  std::vector<functional::TaskId> tasks;
+  if (is_of_ground(request.id)) return tasks;
+  for (const auto& [one, type] : of_ground_) {
+    const auto found = under_way_.find(one);
+    if (one == request.id || found == under_way_.end()) continue;
+    if (exclude_each_other(request, found->second.request)) tasks.push_back(one);
+  }
+  return tasks;
 }
 
 void Vehicle::dispatch(functional::Request request) {
@@ -37,11 +48,11 @@ void Vehicle::dispatch(functional::Request request) {
     if (!merging_.takes(request)) begin(std::move(request));
     return;
   }
-  const functional::TaskId task = request.id;
+  for (const functional::TaskId one : in_the_way(request))
+    if (!under_way_.at(one).interrupted) stop(one);
+  const bool moves = holds_vehicle(request.type), is_asked = !is_own(request.id);
   waiting_.push_back(std::move(request));
-  if (!is_own(task)) own_tasks_.abort_all();
-  for (const functional::TaskId one : in_the_way(task))
-    if (!ending_.contains(one)) stop(one);
+  if (moves && is_asked) own_tasks_.abort_all();
 }
 
 void Vehicle::begin(functional::Request request) {

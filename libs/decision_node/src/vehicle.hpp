@@ -15,9 +15,10 @@ class Merging;
 class OwnTasks;
 
 /// The functional layer executes one moving task at a time: a task that moves or holds the vehicle
-/// waits until own tasks, which give way, and interrupted tasks are over. So do, to what the
-/// executive on board asks for, motions that the ground has not given back. With plan merging a
-/// moving task then waits for its reservation.
+/// waits until own tasks, which give way, and interrupted tasks are over. To what the executive on
+/// board asks for, tasks give way that the ground has not given back: motions to a motion, and what
+/// uses a device to what uses it next. With plan merging a moving task then waits for its
+/// reservation.
 class Vehicle {
  public:
   Vehicle(Bus& bus, OwnTasks& own_tasks, Merging& merging)
@@ -57,8 +58,8 @@ class Vehicle {
   };
 
   bool must_wait(const functional::Request& request) const;
-  /// Motions of the ground under way while the executive on board asks for `task`.
-  std::vector<functional::TaskId> in_the_way(functional::TaskId task) const;
+  /// Tasks of the ground under way that exclude what the executive on board asks for.
+  std::vector<functional::TaskId> in_the_way(const functional::Request& request) const;
   void stop(functional::TaskId task);
 
   Bus& bus_;

@@ -201,6 +201,34 @@ TEST(Degrees, UpFromOneALookLeavesWhatTheGroundHasNotGivenBack) {
   EXPECT_THAT(testing::asked_of_vehicle(asked), ElementsAre("dispatch takeshot"));
 }
 
+// Found by storms (handover/cut 702): the ground station's look was never ended, and each look of
+// the plan on board was refused.
+TEST(Degrees, UpFromOneALookOfTheGroundGivesWayToOneByTheSameDevice) {
+  const auto look_by = [](const char* device) {
+    functional::Parameters parameters;
+    parameters.add("device", device);
+    return parameters;
+  };
+  for (const bool same : {true, false}) {
+    FlownNode node(1);
+    node.give(ElementaryRequest{
+        {functional::Verb::kDispatch, TaskId(3), "takeshot", look_by("visible")}});
+    node.give(testing::status_of(3, TaskState::kRunning));
+    node.give(Command{{1, 1}, mission::ChangeDegree{3}});
+    executive::Start look = testing::start_of(4, "takeshot");
+    look.task.parameters = look_by(same ? "visible" : "infrared");
+
+    const Effects asked = node.give(Command{{1, 2}, look});
+    const Effects over = node.give(testing::status_of(3, TaskState::kAborted, "interrupted"));
+
+    EXPECT_THAT(testing::asked_of_vehicle(asked),
+                ElementsAre(same ? "interrupt 3" : "dispatch takeshot"));
+    if (same) {
+      EXPECT_THAT(testing::asked_of_vehicle(over), ElementsAre("dispatch takeshot"));
+    }
+  }
+}
+
 TEST(Degrees, UpFromOneWhatTheGroundHasNotGivenBackCanBeAborted) {
   FlownNode node(1);
   node.give(ElementaryRequest{{functional::Verb::kDispatch, TaskId(3), "goto", {}}});
