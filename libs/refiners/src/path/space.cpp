@@ -54,6 +54,15 @@ double distance(const world::Polygon& polygon, const Vector2& from, const Vector
   return least;
 }
 
+/// The box around all that is within the margin of the polygon, and a little more.
+PathSpace::Outline outline_of(const world::Polygon& polygon, double margin) {
+  constexpr double kRounding = 1e-6;
+  PathSpace::Outline box;
+  for (const Vector2& corner : polygon) box.extend(corner);
+  const Vector2 reach = Vector2::Constant(margin + kRounding);
+  return {box.min() - reach, box.max() + reach};
+}
+
 }  // namespace
 
 PathSpace::PathSpace(const PathQuery& query, const world::World& world, Duration flight)
@@ -62,6 +71,7 @@ PathSpace::PathSpace(const PathQuery& query, const world::World& world, Duration
     counted_.push_back(can_be_met(volume, flight));
     if (!counted_.back()) return;
     volumes_.push_back(volume);
+    outlines_.push_back(outline_of(volume.polygon, margin()));
     volume_names_.push_back(name);
   };
   for (const Volume& volume : world.volumes) add(volume, "volume '" + volume.name + "'");
@@ -121,11 +131,17 @@ bool PathSpace::is_free(const Vector3& from, const Vector3& to) const {
   if (!anchors_.empty() || !within_limits(from) || !within_limits(to)) return false;
   if (world_.terrain.first_hit(from, to, std::max(query_.clearance, 3 * margin()))) return false;
   if (heights_over(world_.terrain, from, to).greatest > query_.vehicle.ceiling) return false;
-  return std::none_of(volumes_.begin(), volumes_.end(), [&](const Volume& volume) {
-    return std::max(from.z(), to.z()) >= volume.floor - margin() &&
-           std::min(from.z(), to.z()) <= volume.ceiling + margin() &&
-           distance(volume.polygon, from.head<2>(), to.head<2>()) <= margin();
-  });
+  const Vector2 a = from.head<2>(), b = to.head<2>();
+  const Outline around(a.cwiseMin(b), a.cwiseMax(b));
+  for (std::size_t i = 0; i < volumes_.size(); ++i) {
+    if (!outlines_[i].intersects(around)) continue;
+    const Volume& volume = volumes_[i];
+    if (std::max(from.z(), to.z()) >= volume.floor - margin() &&
+        std::min(from.z(), to.z()) <= volume.ceiling + margin() &&
+        distance(volume.polygon, a, b) <= margin())
+      return false;
+  }
+  return true;
 }
 
 bool PathSpace::within_limits(const Vector3& at) const {

@@ -2,6 +2,8 @@
 // Free airspace of one path query.
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +17,8 @@ namespace skein::refiners {
 /// (path_checks.hpp). Query and world must outlive this object.
 class PathSpace {
  public:
+  using Outline = Eigen::AlignedBox2d;  ///< in the plane [m]
+
   /// For a flight of at most `flight`: volumes with a time window count only if it overlaps that
   /// time.
   PathSpace(const PathQuery& query, const world::World& world, Duration flight);
@@ -46,6 +50,7 @@ class PathSpace {
   const PathQuery& query_;
   const world::World& world_;
   std::vector<world::Volume> volumes_;  // that count
+  std::vector<Outline> outlines_;       // of these, grown by the margin
   std::vector<std::string> volume_names_;
   std::vector<world::Vector3> anchors_;  // empty: no contact asked for
   std::vector<bool> counted_;
