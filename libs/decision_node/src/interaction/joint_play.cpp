@@ -193,8 +193,11 @@ void JointPlay::leave() {
 }
 
 // What is told may be carried out at once, and then it is no task of the role any more.
-void JointPlay::abort_tasks() {
-  for (const auto& [id, componel] : std::map(tasks_)) host_.run(executive::Abort{id});
+void JointPlay::abort_tasks(bool is_done) {
+  for (const auto& [id, componel] : std::map(tasks_)) {
+    if (is_done) interrupted_.insert(id);
+    host_.run(executive::Abort{id});
+  }
 }
 
 void JointPlay::time_passes() {
@@ -279,6 +282,7 @@ void JointPlay::fail(const std::string& componel, const std::string& why) {
 }
 
 bool JointPlay::only_flights_are_left() const {
+  if (!play_) return false;
   const interaction::Automaton& automaton = play_->automaton();
   for (interaction::ComponelIndex i = 0; i < automaton.size(); ++i) {
     const auto* task = automaton[i].task();

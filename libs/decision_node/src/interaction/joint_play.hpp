@@ -58,13 +58,16 @@ class JointPlay {
   /// Queues an input for the role, behind those already queued.
   void tell(const interaction::Input& input);
   void leave();
-  void abort_tasks();
+  /// All that are not over; where the role has done what it was for they do not fail it.
+  void abort_tasks(bool is_done);
 
   // ---- others ----
   /// Whether the role can go on without a member that left.
   bool goes_on_without() const;
   /// Whether a task of the role was done for as long as was asked.
   bool has_done_its_part() const;
+  /// Whether all that the role does but fly from place to place was done.
+  bool only_flights_are_left() const;
   void lose(const std::string& uav);
   void partner_has_left(const std::string& uav, const interaction::Rows& rest) {
     share_.told(uav, rest);
@@ -111,8 +114,6 @@ class JointPlay {
                     const interaction::NegotiationOutcome& outcome);
   /// How long the componel's task ran.
   Duration note_done(const std::string& componel);
-  /// Whether all that the role does but fly from place to place was done.
-  bool only_flights_are_left() const;
   /// After a flight that got no air once all partners had ended: the role is over, or left.
   void stay_without_air(const std::string& componel, const std::string& why);
   /// Leaves the joint task after a task that failed as soon as it began.

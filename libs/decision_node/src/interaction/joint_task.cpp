@@ -369,11 +369,15 @@ void JointTask::leave(const std::string& why) {
   play_.leave();
 }
 
+// As for one whose last flight gets no air: what was to be done together is done. Mostly the role
+// is over by the end of its tasks.
 void JointTask::leave_at_once(const std::string& why) {
   if (over()) return;
-  my_.why = why;
-  play_.abort_tasks();
-  finish(JointPhase::kAborted);
+  const bool is_done =
+      my_.phase == JointPhase::kRunning && partners_have_ended() && play_.only_flights_are_left();
+  my_.why = is_done ? "" : why;
+  play_.abort_tasks(is_done);
+  if (!over()) finish(is_done ? JointPhase::kEnded : JointPhase::kAborted);
 }
 
 void JointTask::finish(interaction::JointPhase phase) {

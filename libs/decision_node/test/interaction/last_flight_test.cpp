@@ -122,6 +122,21 @@ TEST_F(FlightWithoutAir, TheLastOneEndsTheRoleWhereItIsOnceThePartnerHasEnded) {
   EXPECT_THAT(notices_, Contains(HasSubstr("it stays where it is")));
 }
 
+// Found by random missions (--partners --merged 950006): while it waited for its air, contact was
+// lost, and the policy of that stopped it.
+TEST_F(FlightWithoutAir, WhoIsStoppedInTheLastOneHasEndedItsRoleOnceThePartnerHas) {
+  for (int i = 0; i < 3; ++i) over(TaskState::kEnded);
+  heliv_ends();
+  give(StopPlaying{std::nullopt, "contact lost: hold"});
+  EXPECT_EQ(marvin_.phase, JointPhase::kEnded);
+}
+
+TEST_F(FlightWithoutAir, WhoIsStoppedInTheLastOneHasAbortedItsRoleWhileThePartnerPlays) {
+  for (int i = 0; i < 3; ++i) over(TaskState::kEnded);
+  give(StopPlaying{std::nullopt, "contact lost: hold"});
+  EXPECT_EQ(marvin_.phase, JointPhase::kAborted);
+}
+
 TEST_F(FlightWithoutAir, TheLastOneFailsTheRoleWhileThePartnerPlays) {
   for (int i = 0; i < 3; ++i) over(TaskState::kEnded);
   over(TaskState::kAborted, AbortCause::kNoAir);
