@@ -171,6 +171,7 @@ class JointPlay {
     std::string action;
     std::optional<MissionTime> at;  ///< absent: under negotiation
     MissionTime until;
+    std::string why = {};  ///< nothing was agreed the last time
     bool is_due(MissionTime now) const { return at && *at <= now; }
   };
   std::optional<Again> sharing_again_, places_again_;

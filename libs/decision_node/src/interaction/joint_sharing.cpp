@@ -46,6 +46,7 @@ SweepSetting JointPlay::sweep_setting(const std::string& role) const {
 void JointPlay::share_area(const std::string& action) {
   const std::vector<world::Polygon> areas = areas_to_share(share_, *play_, action, *host_.world());
   const MissionTime until = sharing_again_ ? sharing_again_->until : now() + kPatience;
+  const std::string before = sharing_again_ ? sharing_again_->why : "";
   sharing_again_.reset();
   interaction::BeginNegotiation begin;
   begin.subject = my_.joint.subject + "/" + kAreaSharing;
@@ -58,9 +59,9 @@ void JointPlay::share_area(const std::string& action) {
     share_.take(areas);
     return tell_status(action, Word::kEnded);
   }
-  if (now() >= until) return task_.leave("the area could not be shared: " + my_.why);
+  if (now() >= until) return task_.leave("the area could not be shared: " + before);
   actions_[action] = begin.subject;
-  sharing_again_ = Again{action, std::nullopt, until};  // it may fail at once
+  sharing_again_ = Again{action, std::nullopt, until, before};  // it may fail at once
   if (interaction_.begin(my_.joint, std::move(begin))) return;
   sharing_again_.reset();
   actions_.erase(action);
@@ -83,7 +84,9 @@ void JointPlay::area_shared(const interaction::Terms& terms,
     return tell_status(action, Word::kEnded);
   }
   host_.bus().emit(Notice{my_.joint.subject + ": the area is not shared yet: " + outcome.why});
-  if (sharing_again_) sharing_again_->at = now() + kAgain;
+  if (!sharing_again_) return;
+  sharing_again_->at = now() + kAgain;
+  sharing_again_->why = outcome.why;
 }
 
 // ---- flights ----
