@@ -33,17 +33,21 @@ class LineCraft : public Craft {
   double begin_;
 };
 
+Lot four_tasks() {
+  Lot lot;
+  for (std::uint32_t n = 1; n <= 4; ++n) {
+    Task task;
+    task.number = TaskNumber(n);
+    task.at = {10.0 * n, 0};
+    lot.tasks.push_back(task);
+  }
+  return lot;
+}
+
 struct AuctioneerTest : ::testing::Test {
   AuctioneerTest() {
-    Lot lot;
-    for (std::uint32_t n = 1; n <= 4; ++n) {
-      Task task;
-      task.number = TaskNumber(n);
-      task.at = {10.0 * n, 0};
-      lot.tasks.push_back(task);
-    }
     SaleSetup setup{SaleNumber(7),
-                    std::make_shared<const Catalogue>(lot),
+                    std::make_shared<const Catalogue>(four_tasks()),
                     {{MemberNumber(0), {}, 0}, {MemberNumber(1), {}, 0}},
                     {},
                     {},
@@ -78,13 +82,7 @@ TEST_F(AuctioneerTest, EverybodyIsCalledFirst) {
 // As a ledger may have them that was put together after a cut.
 TEST(Auctioneer, SellsRoutesThatWaitForEachOtherAnew) {
   const auto number = [](std::uint32_t n) { return TaskNumber(n); };
-  Lot lot;
-  for (std::uint32_t n = 1; n <= 4; ++n) {
-    Task task;
-    task.number = number(n);
-    task.at = {10.0 * n, 0};
-    lot.tasks.push_back(task);
-  }
+  Lot lot = four_tasks();
   lot.precedences = {{number(1), number(2), {}}, {number(3), number(4), {}}};
   const MemberNumber one(0), other(1);
   SaleLimits without_trades;

@@ -281,8 +281,8 @@ void JointPlay::fail(const std::string& componel, const std::string& why) {
   leave_if_stuck(componel, why);
 }
 
-bool JointPlay::only_flights_are_left() const {
-  if (!play_) return false;
+bool JointPlay::nothing_is_left_together() const {
+  if (!play_ || !task_.partners_have_ended()) return false;
   const interaction::Automaton& automaton = play_->automaton();
   for (interaction::ComponelIndex i = 0; i < automaton.size(); ++i) {
     const auto* task = automaton[i].task();
@@ -363,7 +363,7 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   if (by_vehicle && begins_again(componel, ran)) return;
   const bool has_no_air = event.cause == executive::AbortCause::kNoAir;
   if (ended) ended_.insert(componel);
-  const bool is_last = has_no_air && task_.partners_have_ended() && only_flights_are_left();
+  const bool is_last = has_no_air && nothing_is_left_together();
   if (!ended && !asked && !is_last) failed_.try_emplace(componel, event.reason);
   if (ended && is_mapping(play_->automaton(), componel)) share_.flown();
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);

@@ -66,8 +66,8 @@ class JointPlay {
   bool goes_on_without() const;
   /// Whether a task of the role was done for as long as was asked.
   bool has_done_its_part() const;
-  /// Whether all that the role does but fly from place to place was done.
-  bool only_flights_are_left() const;
+  /// Whether its partners have ended their roles, and this one has only flights left.
+  bool nothing_is_left_together() const;
   void lose(const std::string& uav);
   void partner_has_left(const std::string& uav, const interaction::Rows& rest) {
     share_.told(uav, rest);

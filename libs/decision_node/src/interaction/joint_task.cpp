@@ -373,8 +373,7 @@ void JointTask::leave(const std::string& why) {
 // is over by the end of its tasks.
 void JointTask::leave_at_once(const std::string& why) {
   if (over()) return;
-  const bool is_done =
-      my_.phase == JointPhase::kRunning && partners_have_ended() && play_.only_flights_are_left();
+  const bool is_done = my_.phase == JointPhase::kRunning && play_.nothing_is_left_together();
   my_.why = is_done ? "" : why;
   play_.abort_tasks(is_done);
   if (!over()) finish(is_done ? JointPhase::kEnded : JointPhase::kAborted);
