@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "skein/foundation/joined.hpp"
+#include "skein/foundation/whole.hpp"
 #include "skein/journal/lines/joint.hpp"
 
 namespace skein::joint_lines {
@@ -12,11 +13,10 @@ namespace lines = journal::lines;
 
 namespace {
 
-/// To the millisecond. What others say may be more than an instant holds.
+/// To the millisecond.
 std::string text_of(double number) {
-  constexpr double kMost = 9e12;  // [ms]
-  const double ms = std::fmax(-kMost, std::fmin(number * 1000, kMost));
-  return to_text(Duration::milliseconds(std::llround(ms)));
+  if (std::isnan(number)) return "not a number";
+  return to_text(Duration::milliseconds(whole(std::round(number * 1000))));
 }
 
 /// "heliv relay 12.5, marvin perceive 3".

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -27,7 +28,10 @@ TEST(LineOfANegotiation, HasItsNumbersToTheMillisecond) {
 // Said by a foul offer.
 TEST(LineOfANegotiation, CutsNumbersThatNoInstantHolds) {
   constexpr double kMost = std::numeric_limits<double>::max();
-  EXPECT_THAT(line_with({kMost, -kMost}), HasSubstr("heliv relay 9000000000 -9000000000"));
+  EXPECT_THAT(line_with({kMost, -kMost}),
+              HasSubstr("heliv relay 9223372036.854775807 -9223372036.854775808"));
+  EXPECT_THAT(line_with({std::numeric_limits<double>::infinity(), std::nan("")}),
+              HasSubstr("heliv relay 9223372036.854775807 not a number"));
 }
 
 }  // namespace

@@ -5,18 +5,15 @@
 #include <cmath>
 
 #include "skein/foundation/overloaded.hpp"
+#include "skein/foundation/whole.hpp"
 
 namespace skein::auction {
 
 namespace {
 
-/// [ms] More is asked by nobody who could do it.
-constexpr double kMostWorth = 9e12;
-
 std::string worth(const Value& value) {
-  const double ms = value.first * 1e3;
-  if (!(std::abs(ms) < kMostWorth)) return "what nobody could do it for";
-  return to_text(Duration::milliseconds(static_cast<std::int64_t>(ms)));
+  if (!std::isfinite(value.first)) return "what nobody could do it for";
+  return to_text(Duration::milliseconds(whole(value.first * 1e3)));
 }
 
 }  // namespace

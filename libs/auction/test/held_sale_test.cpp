@@ -45,12 +45,16 @@ TEST_F(HeldSaleTest, SaysWhoBoughtForHowMuchAndWhoElseWouldHave) {
   EXPECT_EQ(why(won), "traded to marvin for 12.5; next best marvin, karma for 20");
 }
 
-// Said by a foul bid: no such number of milliseconds fits into an instant.
-TEST_F(HeldSaleTest, SaysOfAWorthBeyondAllMeasureNoNumber) {
-  for (const double worth : {1e300, -1e13, HUGE_VAL, std::nan("")}) {
-    const Sold won{TaskNumber(1), {MemberNumber(0)}, 1, false, {0, worth, 0}, std::nullopt};
-    EXPECT_EQ(why(won), "sold to marvin for what nobody could do it for; nobody else could");
-  }
+// Said by foul bids: no such numbers of milliseconds fit into a duration.
+TEST_F(HeldSaleTest, SaysOfAWorthBeyondAllMeasureTheMostThatATimeHolds) {
+  const auto said_of = [&](double worth) {
+    return why(Sold{TaskNumber(1), {MemberNumber(0)}, 1, false, {0, worth, 0}, std::nullopt});
+  };
+  for (const double worth : {1e300, 1e13})
+    EXPECT_EQ(said_of(worth), "sold to marvin for 9223372036.854775807; nobody else could");
+  EXPECT_EQ(said_of(-1e300), "sold to marvin for -9223372036.854775808; nobody else could");
+  for (const double worth : {HUGE_VAL, -HUGE_VAL, std::nan("")})
+    EXPECT_EQ(said_of(worth), "sold to marvin for what nobody could do it for; nobody else could");
 }
 
 TEST_F(HeldSaleTest, SaysOfWhatWasNotSoldTheReasonOfEachBehindThatOfAll) {

@@ -8,10 +8,8 @@ namespace skein {
 
 std::string in_seconds(Duration d) {
   if (d == Duration::max()) return "for ever";
-  constexpr std::int64_t kMost = Duration::max().count() / Duration::milliseconds(100).count();
   const std::int64_t tenths = std::llround(d.to_seconds() * 10);
-  const bool fits = tenths >= -kMost && tenths <= kMost;
-  return to_text(fits ? Duration::milliseconds(100 * tenths) : d) + " s";
+  return to_text(Duration::milliseconds(100 * tenths)) + " s";
 }
 
 std::string in_seconds(MissionTime t) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/whole.hpp"
 
 namespace skein {
 
@@ -31,10 +32,7 @@ std::string decimal_seconds(std::int64_t ns) {
 
 Duration Duration::seconds(double s) {
   SKEIN_EXPECTS(!std::isnan(s));
-  const double ns = std::round(s * 1e9);
-  if (ns >= 9223372036854775807.0) return max();
-  if (ns <= -9223372036854775808.0) return Duration(std::numeric_limits<std::int64_t>::min());
-  return Duration(static_cast<std::int64_t>(ns));
+  return Duration(whole(std::round(s * 1e9)));
 }
 
 std::string to_text(MissionTime t) { return decimal_seconds(t.count()); }

@@ -12,6 +12,7 @@
 #include "skein/foundation/nearest.hpp"
 #include "skein/foundation/random.hpp"
 #include "skein/foundation/time.hpp"
+#include "skein/foundation/whole.hpp"
 
 namespace skein {
 namespace {
@@ -47,6 +48,48 @@ TEST(DurationLaws, SumsAndDifferencesSaturateLikeWideArithmetic) {
     if (b != std::numeric_limits<std::int64_t>::min()) {
       EXPECT_EQ((x - y).count(), clamped(wide(a) - wide(b)));
     }
+  }
+}
+
+TEST(DurationLaws, MillisecondsSaturateLikeWideArithmetic) {
+  Random random(8);
+  int beyond = 0;
+  for (int i = 0; i < kTrials; ++i) {
+    const std::int64_t ms = any_nanoseconds(random);
+    const Wide ns = wide(ms) * 1'000'000;
+
+    EXPECT_EQ(Duration::milliseconds(ms).count(), clamped(ns)) << ms;
+    if (ns != clamped(ns)) ++beyond;
+  }
+  EXPECT_GT(beyond, kTrials / 10) << "some of them have to be out of range";
+  EXPECT_LT(beyond, kTrials * 9 / 10) << "and some in it";
+}
+
+// A double of any magnitude is a whole number times a power of two: beyond 2^126 the oracle keeps
+// the sign alone.
+Wide without_fraction(double number) {
+  const double most = std::ldexp(1.0, 126);
+  return static_cast<Wide>(std::clamp(number, -most, most));
+}
+
+double any_double(Random& random) {
+  return std::ldexp(random.uniform(-1, 1), static_cast<int>(random.below(200)) - 20);
+}
+
+TEST(WholeLaws, NumbersSaturateLikeWideArithmetic) {
+  Random random(9);
+  for (int i = 0; i < kTrials; ++i) {
+    const double number = any_double(random);
+    EXPECT_EQ(whole(number), clamped(without_fraction(number))) << number;
+  }
+}
+
+TEST(WholeLaws, AtTheEndsOfTheRangeNothingWrapsAround) {
+  constexpr double kEnd = 0x1p63, kInfinity = std::numeric_limits<double>::infinity();
+  for (const double number :
+       {kEnd, -kEnd, std::nextafter(kEnd, 0), std::nextafter(-kEnd, 0), std::nextafter(kEnd, 1e300),
+        std::nextafter(-kEnd, -1e300), kInfinity, -kInfinity, 0.0, -0.9, 0.9}) {
+    EXPECT_EQ(whole(number), clamped(without_fraction(number))) << number;
   }
 }
 

@@ -22,6 +22,14 @@ TEST(Duration, OutOfRangeSecondsSaturate) {
   EXPECT_EQ(Duration::seconds(-1e300).count(), std::numeric_limits<std::int64_t>::min());
 }
 
+TEST(Duration, OutOfRangeMillisecondsSaturate) {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  static_assert(Duration::milliseconds(kMost / 1'000'000).count() == 9'223'372'036'854'000'000);
+  static_assert(Duration::milliseconds(kMost / 1'000'000 + 1) == Duration::max());
+  EXPECT_EQ(Duration::milliseconds(kMost), Duration::max());
+  EXPECT_EQ(Duration::milliseconds(-kMost).count(), std::numeric_limits<std::int64_t>::min());
+}
+
 TEST(Duration, NotANumberIsABrokenContract) {
   EXPECT_DEATH((void)Duration::seconds(std::numeric_limits<double>::quiet_NaN()), "precondition");
 }
@@ -61,6 +69,10 @@ TEST(InSeconds, RoundsToATenthForPeople) {
   EXPECT_EQ(in_seconds(Duration::milliseconds(-250)), "-0.3 s");
   EXPECT_EQ(in_seconds(MissionTime::seconds(300)), "300 s");
   EXPECT_EQ(in_seconds(Duration::max()), "for ever");
+  EXPECT_EQ(in_seconds(Duration::max() - Duration::seconds(1)), "9223372035.9 s");
+  EXPECT_EQ(in_seconds(Duration::nanoseconds(std::numeric_limits<std::int64_t>::min())),
+            "-9223372036.854775808 s")
+      << "to a tenth it would be beyond the range";
 }
 
 }  // namespace

@@ -10,6 +10,22 @@
 
 namespace skein {
 
+namespace detail {
+constexpr std::int64_t end_of_range(bool negative) {
+  return negative ? std::numeric_limits<std::int64_t>::min()
+                  : std::numeric_limits<std::int64_t>::max();
+}
+constexpr std::int64_t saturating_add(std::int64_t a, std::int64_t b) {
+  std::int64_t sum = 0;
+  return __builtin_add_overflow(a, b, &sum) ? end_of_range(a < 0) : sum;
+}
+constexpr std::int64_t saturating_multiply(std::int64_t a, std::int64_t b) {
+  std::int64_t product = 0;
+  return __builtin_mul_overflow(a, b, &product) ? end_of_range((a < 0) != (b < 0)) : product;
+}
+constexpr std::int64_t saturating_negate(std::int64_t a) { return saturating_multiply(a, -1); }
+}  // namespace detail
+
 /// A span of time [ns]; may be negative. Value type, trivially copyable.
 /// Arithmetic saturates at the ends of the range instead of overflowing, so that "for ever"
 /// (`Duration::max()`) stays for ever. Source: spec 1.4.
@@ -17,7 +33,10 @@ class Duration {
  public:
   constexpr Duration() = default;
   static constexpr Duration nanoseconds(std::int64_t ns) { return Duration(ns); }
-  static constexpr Duration milliseconds(std::int64_t ms) { return Duration(ms * 1'000'000); }
+  /// Out of range saturates.
+  static constexpr Duration milliseconds(std::int64_t ms) {
+    return Duration(detail::saturating_multiply(ms, 1'000'000));
+  }
   /// Nearest nanosecond; out of range saturates; NaN is a broken contract.
   static Duration seconds(double s);
   static constexpr Duration max() { return Duration(std::numeric_limits<std::int64_t>::max()); }
@@ -50,19 +69,6 @@ class MissionTime {
   constexpr explicit MissionTime(std::int64_t ns) : ns_(ns) {}
   std::int64_t ns_ = 0;
 };
-
-namespace detail {
-constexpr std::int64_t saturating_add(std::int64_t a, std::int64_t b) {
-  std::int64_t sum = 0;
-  if (!__builtin_add_overflow(a, b, &sum)) return sum;
-  return a > 0 ? std::numeric_limits<std::int64_t>::max()
-               : std::numeric_limits<std::int64_t>::min();
-}
-constexpr std::int64_t saturating_negate(std::int64_t a) {
-  return a == std::numeric_limits<std::int64_t>::min() ? std::numeric_limits<std::int64_t>::max()
-                                                       : -a;
-}
-}  // namespace detail
 
 constexpr Duration operator+(Duration a, Duration b) {
   return Duration::nanoseconds(detail::saturating_add(a.count(), b.count()));
