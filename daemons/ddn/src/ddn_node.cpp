@@ -37,6 +37,7 @@ using translation::to_wire;
 /// Of jobs: those of the supervisor come before.
 constexpr std::uint64_t kFirstReckoning = std::uint64_t{1} << 32U;
 constexpr std::uint64_t kFirstDetours = std::uint64_t{1} << 48U;
+constexpr std::uint64_t kFirstWaySearch = std::uint64_t{1} << 56U;
 
 /// Of a job that plans detours, with a real clock: more of them wait for the next one.
 constexpr Duration kDetours = Duration::milliseconds(250);
@@ -111,6 +112,8 @@ std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
     if (rows != nullptr) return dn::ReckoningFinished{done->id - kFirstReckoning, *rows};
     const auto* detours = std::any_cast<std::vector<supervisor::Detour>>(&done->result);
     if (detours != nullptr) return dn::DetoursPlanned{done->id - kFirstDetours, *detours};
+    const auto* path = std::any_cast<std::optional<refiners::Path>>(&done->result);
+    if (path != nullptr) return dn::WaySearched{done->id - kFirstWaySearch, *path};
   } else if (const auto* lost = std::get_if<node::Undelivered>(&input)) {
     note(*lost);
   } else if (const auto* started = std::get_if<node::Started>(&input)) {
@@ -332,6 +335,13 @@ void DdnNode::carry_out(const dn::StartDetours& effect) {
     return supervisor::plan_detours(request, time_is_up);
   };
   out_.push_back(node::StartJob{kFirstDetours + effect.job, work, kDetours, true});
+}
+
+void DdnNode::carry_out(const dn::StartWaySearch& effect) {
+  const auto work = [search = effect.search](const node::TimeIsUp& is_unwanted) -> std::any {
+    return dn::search_way(search, is_unwanted);
+  };
+  out_.push_back(node::StartJob{kFirstWaySearch + effect.job, work, Duration::max(), true});
 }
 
 void DdnNode::carry_out(const supervisor::StartDeliberation& effect) {

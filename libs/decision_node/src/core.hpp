@@ -88,6 +88,7 @@ class Core {
   void on(const DetoursPlanned& done) { team_.detours_planned(done); }
   void on(const TeamTold& told) { team_.hear(told); }
   void on(const MergeTold& told) { merging_.hear(told); }
+  void on(const WaySearched& done) { merging_.hear(done); }
   void on(const FrontierTold& told) { meetings_.hear(told); }
   void on(const Tick&);
   void pass_on(const functional::Status& status);

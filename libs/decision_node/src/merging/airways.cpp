@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "path_query.hpp"
+#include "skein/decision_node/way_search.hpp"
 #include "skein/elementary/parameter_reader.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/functional/task_types.hpp"
@@ -28,7 +29,6 @@ constexpr int kSteps = 5;               // heights above the one that was asked 
 constexpr double kUnderground = -1000;  // [m] below all ground: landings end anywhere above
 constexpr int kDirections = 8;
 constexpr std::array kRings{2, 4, 6, 8, 12, 18, 26, 36, 48};  // of what it takes to hold
-constexpr std::uint64_t kStepsAround = 200'000;
 constexpr double kNearEnd = 1.05;  // an end is in what is reserved with what it has too much
 constexpr double kSame = 0.01;     // [m] nearer is as near
 constexpr double kAhead = 600;     // [s] in which air must not close on a way that nobody asked for
@@ -246,9 +246,10 @@ merging::Volume landing_at(const Vector3& place, const Margins& margins) {
   return column(place.head<2>(), kUnderground, place.z(), margins);
 }
 
-std::optional<Airway> way_around(const functional::Request& request, const merging::Volumes& taken,
-                                 const MergingConfig& config, const AirwaySituation& situation,
-                                 const world::World& world) {
+std::optional<refiners::PathQuery> query_around(const functional::Request& request,
+                                                const merging::Volumes& taken,
+                                                const MergingConfig& config,
+                                                const AirwaySituation& situation) {
   const auto flown = flight_of(request, config, situation);
   if (!flown || flown->waypoints.empty()) return std::nullopt;
   const Margins margins = merging::margins_of(config.model, config.wind, flown->speed);
@@ -257,12 +258,19 @@ std::optional<Airway> way_around(const functional::Request& request, const mergi
       path_query(config.model, from, flown->waypoints.back(), situation.now);
   query.speed = flown->speed;
   reserve(query, taken, margins);
-  refiners::Setting setting{world, {}};
-  setting.budget.steps = kStepsAround;
-  const auto path = refine(query, setting);
-  if (!path || path->task.way.size() < 2) return std::nullopt;
-  Airway way = flight(request, path->task.way, margins, 0);
-  way.energy = path->task.energy;
+  return query;
+}
+
+std::optional<Airway> airway_along(const functional::Request& request, const refiners::Path& path,
+                                   const merging::Volumes& taken, const MergingConfig& config,
+                                   const AirwaySituation& situation) {
+  const auto flown = flight_of(request, config, situation);
+  if (!flown || path.way.size() < 2) return std::nullopt;
+  const Margins margins = merging::margins_of(config.model, config.wind, flown->speed);
+  if ((path.way.front() - start_of(situation, margins)).norm() > margins.settled)
+    return std::nullopt;
+  Airway way = flight(request, path.way, margins, 0);
+  way.energy = path.energy;
   const bool clear = !overlap(way.air, taken) &&
                      is_clear(way.way->points(), margins.way, situation) &&
                      can_fly(way, config, situation);
@@ -270,18 +278,17 @@ std::optional<Airway> way_around(const functional::Request& request, const mergi
 }
 
 functional::Request led_around(const functional::Request& request, const MergingConfig& config,
-                               const AirwaySituation& situation, const world::World& world) {
+                               const AirwaySituation& situation,
+                               const std::shared_ptr<const world::World>& world) {
   const auto flown = flight_of(request, config, situation);
   if (!flown || flown->waypoints.empty()) return request;
   const Margins margins = merging::margins_of(config.model, config.wind, flown->speed);
   const Vector3 from = start_of(situation, margins);
   const Vector3& first = flown->waypoints.front();
   if (is_clear({from, first}, config.model.body_radius, situation)) return request;
-  refiners::Setting setting{world, {}};
-  setting.budget.steps = kStepsAround;
-  const auto path = refine(path_query(config.model, from, first, situation.now), setting);
-  if (!path || path->task.way.size() < 2) return request;
-  std::vector<Vector3> points = path->task.way;
+  const auto path = search_way({path_query(config.model, from, first, situation.now), world});
+  if (!path || path->way.size() < 2) return request;
+  std::vector<Vector3> points = path->way;
   points.insert(points.end(), flown->waypoints.begin() + 1, flown->waypoints.end());
   return along(request, Way(points, margins));
 }

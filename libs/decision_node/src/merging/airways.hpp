@@ -2,6 +2,7 @@
 // The air that a motion of the vehicle takes.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "skein/foundation/result.hpp"
 #include "skein/functional/port.hpp"
 #include "skein/merging/way.hpp"
+#include "skein/refiners/path.hpp"
 #include "skein/world/vehicle_state.hpp"
 #include "skein/world/volume.hpp"
 #include "skein/world/world.hpp"
@@ -69,17 +71,25 @@ Airways flights_to(const world::Vector3& place, functional::TaskId id, const Mer
 /// What a landing takes that begins there. Cost: constant.
 merging::Volume landing_at(const world::Vector3& place, const merging::Margins& margins);
 
-/// A flight to where the motion leads along a way that keeps out of `taken`, the air of others.
-/// Nothing: it is no flight, or none such is known. Cost: that of refiners::refine(PathQuery).
-std::optional<Airway> way_around(const functional::Request& request, const merging::Volumes& taken,
-                                 const MergingConfig& config, const AirwaySituation& situation,
-                                 const world::World& world);
+/// For a way to where the motion leads that keeps out of `taken`, the air of others. Nothing: it is
+/// no flight.
+std::optional<refiners::PathQuery> query_around(const functional::Request& request,
+                                                const merging::Volumes& taken,
+                                                const MergingConfig& config,
+                                                const AirwaySituation& situation);
+
+/// The flight to where the motion leads along a path that was found for it. Nothing: the vehicle is
+/// not where it begins, or it does not keep out of `taken` and closed air.
+std::optional<Airway> airway_along(const functional::Request& request, const refiners::Path& path,
+                                   const merging::Volumes& taken, const MergingConfig& config,
+                                   const AirwaySituation& situation);
 
 /// The flight, for a vehicle that is elsewhere than where it was planned from: where the leg to its
 /// first way-point would lead through closed air, by way-points around that. As it was: the leg is
-/// free, it is no flight, or no way around is known. Cost: that of refiners::refine(PathQuery).
+/// free, it is no flight, or no way around is known. Cost: that of search_way().
 functional::Request led_around(const functional::Request& request, const MergingConfig& config,
-                               const AirwaySituation& situation, const world::World& world);
+                               const AirwaySituation& situation,
+                               const std::shared_ptr<const world::World>& world);
 
 /// Short flights from where it rests to places that are free of `others`, the nearest first: up,
 /// then beside, at each of these heights above it [m]. Not the way there: where it is now is what

@@ -109,7 +109,8 @@ merging::Margins cruising(const std::optional<MergingConfig>& config) {
 
 }  // namespace
 
-Merging::Merging(Core& core) : core_(core), home_(core), margins_(cruising(core.config().merging)) {
+Merging::Merging(Core& core)
+    : core_(core), home_(core), margins_(cruising(core.config().merging)), around_(core) {
   const auto& config = core.config().merging;
   if (!config) return;
   merger_.emplace(config->members, core.config().uav, merging::Limits{}, config->witness);
@@ -197,8 +198,7 @@ void Merging::ask() {
   cut();
   functional::Request flight = waiting_->request;
   if (place_ && !(portions_ && portions_->running) && core_.deliberation().possible())
-    flight =
-        led_around(flight, *core_.config().merging, situation(), *core_.deliberation().world());
+    flight = led_around(flight, *core_.config().merging, situation(), core_.deliberation().world());
   auto airways =
       airways_of(flight, may_be_raised(waiting_->asked_long), *core_.config().merging, situation());
   if (!airways) {  // perhaps the vehicle is not what it was thought to be: it is looked at again
@@ -297,25 +297,23 @@ void Merging::hold() {
 
 // ---- waiting ----
 
+bool Merging::may_go_around() const {
+  if (!waiting_ || !waiting_->looks_around_from() || flies_portion()) return false;
+  return vehicle_.state().airborne && core_.deliberation().possible() &&
+         !merger_->awaited().empty() && may_be_raised(waiting_->asked_long);
+}
+
 /// Not where others stay where it is to go: it would wait there.
 void Merging::look_for_way_around() {
   const auto from = waiting_ ? waiting_->looks_around_from() : std::nullopt;
   if (!from || core_.bus().now() < *from) return;
   waiting_->looks_around = core_.bus().now() + kLooksAround;
-  const bool could = vehicle_.state().airborne && core_.deliberation().possible();
-  if (!could || merger_->awaited().empty() || !may_be_raised(waiting_->asked_long)) return;
-  auto airways = airways_of(waiting_->request, true, *core_.config().merging, situation());
+  if (!may_go_around()) return;
+  const auto airways = airways_of(waiting_->request, true, *core_.config().merging, situation());
   if (!airways || airways->empty()) return;
   const merging::Volumes taken = merger_->taken();
   if (overlap({airways->front().air.back()}, taken)) return;
-  const auto world = core_.deliberation().world();
-  auto around = way_around(waiting_->request, taken, *core_.config().merging, situation(), *world);
-  if (!around) return;
-  const double home = supervisor::least_to_come_home(*core_.config().knowledge, *world,
-                                                     core_.bus().now(), *around->end);
-  if (around->energy + home > vehicle_.state().energy) return;
-  airways->push_back(std::move(*around));
-  want(std::move(*airways));
+  around_.search(waiting_->request, taken, situation());
 }
 
 /// Whoever can wait no longer comes home, and says so: that it falls is no better. What it could do
@@ -380,13 +378,23 @@ std::optional<MissionTime> Merging::next_wakeup() const {
 // The vehicle would tell of a flight of another life's number how that one ended.
 void Merging::begin(const Started& started) {
   if (!started.first_life)
-    aside_ = functional::TaskId(functional::kFirstAsideId.value() +
-                                Rising::least(core_.bus().now()));
+    aside_ =
+        functional::TaskId(functional::kFirstAsideId.value() + Rising::least(core_.bus().now()));
   if (merger_ && started.first_life) give(merging::FirstLife{});
 }
 
 void Merging::hear(const MergeTold& told) {
   if (merger_) give(merging::Heard{told.from, told.message});
+}
+
+void Merging::hear(const WaySearched& done) {
+  const auto task = around_.over(done);
+  if (!task || !done.path || !may_go_around() || waiting_->request.id != *task) return;
+  auto around = around_.along(*done.path, waiting_->request, merger_->taken(), situation());
+  auto airways = airways_of(waiting_->request, true, *core_.config().merging, situation());
+  if (!around || !airways) return;
+  airways->push_back(std::move(*around));
+  want(std::move(*airways));
 }
 
 void Merging::contact(const Contact& contact) {

@@ -13,6 +13,7 @@
 #include "merging/portions.hpp"
 #include "merging/vehicle_air.hpp"
 #include "merging/waiting.hpp"
+#include "merging/way_around.hpp"
 #include "skein/merging/merger.hpp"
 
 namespace skein::decision_node {
@@ -46,6 +47,7 @@ class Merging final : public Component {
   std::optional<world::Vector3> way_home_begins() const;
   void begin(const Started& started);
   void hear(const MergeTold& told);
+  void hear(const WaySearched& done);
   void contact(const Contact& contact);
 
   void vehicle_told(const world::Telemetry& telemetry) override;
@@ -62,6 +64,7 @@ class Merging final : public Component {
   void want(Airways airways, merging::Volumes afterwards = {});
   void begin(const Airway& airway, const std::string& state);
   void look_at_energy();
+  bool may_go_around() const;
   void look_for_way_around();
   void say_it_waits();
   bool may_be_raised(bool asked_long) const;
@@ -87,6 +90,7 @@ class Merging final : public Component {
   HomeAir home_;
   merging::Margins margins_;  ///< at its cruise speed
   VehicleAir vehicle_{margins_};
+  WayAround around_;
   std::optional<Waiting> waiting_;
   std::optional<Portions> portions_;  ///< of the motion that is flown, or waits
   std::optional<world::Vector3>
@@ -94,7 +98,7 @@ class Merging final : public Component {
   std::optional<MissionTime> room_since_;  ///< another one wants to go where it stays, since then
   /// A wait for orders that the vehicle was stopped in to make room; it goes on at its executive.
   std::optional<functional::TaskId> left_wait_;
-  supervisor::AirOrders orders_;           ///< as the supervisor was told
+  supervisor::AirOrders orders_;                          ///< as the supervisor was told
   std::optional<functional::TaskId> runs_already_;        ///< a sweep that begins its last portion
   functional::TaskId aside_ = functional::kFirstAsideId;  ///< of the next flight out of the way
 };

@@ -13,6 +13,7 @@ namespace skein::decision_node {
 namespace {
 
 using executive::TaskState;
+using testing::before_a_wall;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using testing::give_sweep;
@@ -63,16 +64,6 @@ TEST(Merging, AWayThatSomethingIsLookedAtAlongIsNotRaised) {
   team.run(60);
   EXPECT_TRUE(team.is_over("heliv", 7));
   EXPECT_NEAR(team.highest("heliv"), 40, 0.5);
-}
-
-/// At every height that heliv could fly past, and out of its reach, so that nobody makes room.
-MergedTeam before_a_wall() {
-  std::vector<std::pair<std::string, world::Vector3>> places{{"heliv", {100, 0, 40}}};
-  for (int i = 0; i <= 5; ++i)
-    places.push_back({"wall" + std::to_string(i), {0, 0, 40.0 + 12 * i}});
-  MergedTeam team(places, 4);
-  for (int i = 0; i <= 5; ++i) team.cut("heliv", "wall" + std::to_string(i));
-  return team;
 }
 
 TEST(Merging, WhoStaysInTheWayForLongIsFlownAround) {

@@ -131,6 +131,7 @@ class MergedTeam {
       const auto messages = std::exchange(radio_, {});
       for (const auto& [to, told] : messages)
         if (!cut_.contains({told.from, to}) && !cut_.contains({to, told.from})) hear(to, told);
+      if (!searches_withheld_) search();
       for (const std::string& name : names_) fly(name);
       for (const std::string& name : names_) wake(name);
     }
@@ -138,6 +139,11 @@ class MergedTeam {
 
   /// How often vehicles say where they are [0.1 s].
   void tell_every(int tenths) { telemetry_tenths_ = tenths; }
+  /// Searches for ways that are asked for do not end from now on, or do, with their results.
+  void withhold_searches(bool withhold) { searches_withheld_ = withhold; }
+  int searches_asked_by(const std::string& uav) {
+    return static_cast<int>(uavs_[uav].searches.size());
+  }
   /// It is on the ground from now on, and aborts whatever it is given.
   void put_down(const std::string& uav) { uavs_[uav].is_put_down = true; }
   /// So much of its energy is left from now on.
@@ -196,8 +202,15 @@ class MergedTeam {
     double highest = 0;
     bool stopped = false;  ///< in what it flies
     bool is_put_down = false;
+    std::vector<StartWaySearch> searches;
     int flown = 0;  ///< [0.1 s]
   };
+
+  void search() {
+    for (const std::string& name : names_)
+      for (const StartWaySearch& one : std::exchange(uavs_[name].searches, {}))
+        give(name, WaySearched{one.job, search_way(one.search)});
+  }
 
   void wake(const std::string& name) {
     constexpr int kMost = 20;
@@ -221,6 +234,7 @@ class MergedTeam {
       if (const auto* send = std::get_if<SendMerge>(&effect))
         radio_.emplace_back(send->to, MergeTold{name, send->message});
       if (const auto* to = std::get_if<ToVehicle>(&effect)) take(uav, to->request);
+      if (const auto* job = std::get_if<StartWaySearch>(&effect)) uav.searches.push_back(*job);
       if (const auto* note = std::get_if<AirNoted>(&effect)) uav.notes.push_back(*note);
       if (const auto* notice = std::get_if<Notice>(&effect)) uav.notices.push_back(notice->text);
       if (const auto* status = std::get_if<StatusPassedOn>(&effect))
@@ -286,6 +300,7 @@ class MergedTeam {
   std::vector<std::string> names_;
   merging::Witness witness_{{}};
   std::set<std::string> restless_;
+  bool searches_withheld_ = false;
   int telemetry_tenths_ = 1;
   std::map<std::string, Uav> uavs_;
   std::vector<std::pair<std::string, MergeTold>> radio_;
@@ -309,6 +324,16 @@ inline void give_sweep(MergedTeam& team, const std::string& uav, executive::Star
   team.command(uav, motion);
   team.command(uav, look);
   team.command(uav, executive::ProcessMessage{"go"});
+}
+
+/// At every height that heliv could fly past, and out of its reach, so that nobody makes room.
+inline MergedTeam before_a_wall() {
+  std::vector<std::pair<std::string, world::Vector3>> places{{"heliv", {100, 0, 40}}};
+  for (int i = 0; i <= 5; ++i)
+    places.push_back({"wall" + std::to_string(i), {0, 0, 40.0 + 12 * i}});
+  MergedTeam team(places, 4);
+  for (int i = 0; i <= 5; ++i) team.cut("heliv", "wall" + std::to_string(i));
+  return team;
 }
 
 }  // namespace skein::decision_node::testing

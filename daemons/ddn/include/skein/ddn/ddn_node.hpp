@@ -67,6 +67,7 @@ class DdnNode final : public node::Node {
   void carry_out(const decision_node::StartReckoning& effect);
   void carry_out(const decision_node::StopReckoning& effect);
   void carry_out(const decision_node::StartDetours& effect);
+  void carry_out(const decision_node::StartWaySearch& effect);
   void carry_out(const supervisor::StartDeliberation& effect);
   void carry_out(const supervisor::StopDeliberation& effect);
   // for the journal

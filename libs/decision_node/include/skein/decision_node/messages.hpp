@@ -11,6 +11,7 @@
 
 #include "skein/auction/team_member.hpp"
 #include "skein/decision_node/contact.hpp"
+#include "skein/decision_node/way_search.hpp"
 #include "skein/executive/effect.hpp"
 #include "skein/executive/executive.hpp"
 #include "skein/functional/port.hpp"
@@ -120,6 +121,11 @@ struct DetoursPlanned {
   std::uint64_t job = 0;
   std::vector<supervisor::Detour> detours;  ///< of the first legs, in their order
 };
+/// The result of the job that StartWaySearch asked for.
+struct WaySearched {
+  std::uint64_t job = 0;
+  std::optional<refiners::Path> path;  ///< none: no way is known
+};
 /// A message of another team member about the token, the ledger or a sale.
 struct TeamTold {
   std::string from;
@@ -145,7 +151,7 @@ using Input =
                  StatusTold, SyncMessage, DegreeTold, world::Telemetry, world::Perception, Contact,
                  LayerForgot, supervisor::JobFinished, interaction::SessionMessage, PartnerSeen,
                  JointTaskTold, GroundNegotiates, GroundPlays, ReckoningFinished, DetoursPlanned,
-                 TeamTold, MergeTold, FrontierTold, Tick>;
+                 WaySearched, TeamTold, MergeTold, FrontierTold, Tick>;
 
 // ---- effects, to be carried out in their order ----
 
@@ -253,6 +259,12 @@ struct ShareTelemetry {
 struct StartDetours {
   std::uint64_t job = 0;  ///< number of the job, unique among these
   supervisor::DetourRequest request;
+};
+
+/// Run search_way(search) as a job in the second lane; its result is returned by WaySearched.
+struct StartWaySearch {
+  std::uint64_t job = 0;  ///< number of the job, unique among these
+  WaySearch search;
 };
 
 /// A message to another member of the team.
@@ -367,15 +379,17 @@ struct Notice {
 };
 
 /// The supervisor's effects are passed through unchanged.
-using EffectVariant = std::variant<
-    Answer, TaskChanged, StatusPassedOn, TelemetryPassedOn, PerceptionPassedOn, SyncPassedOn,
-    NegotiationPassedOn, PartnerPassedOn, SpokenFor, DegreeChanged, HandedOver, BoardChanged,
-    ToVehicle, SendSync, SendNegotiation, StartReckoning, StopReckoning, StartDetours, SendTeam,
-    SendMerge, SendFrontier, MeetingNoted, AirNoted, TeamTaskNoted, BidNoted, SaleNoted, TokenNoted,
-    JointTaskChanged, ShareTelemetry, ComponelChanged, RoleTaskGiven, PlaceComputed, ScmNoted,
-    NegotiationNoted, RequestHandled, SyncHeard, PolicyCarriedOut, Notice,
-    supervisor::MissionDecided, supervisor::StartDeliberation, supervisor::StopDeliberation,
-    supervisor::PlanChanged, supervisor::GoalChanged, supervisor::Decided>;
+using EffectVariant =
+    std::variant<Answer, TaskChanged, StatusPassedOn, TelemetryPassedOn, PerceptionPassedOn,
+                 SyncPassedOn, NegotiationPassedOn, PartnerPassedOn, SpokenFor, DegreeChanged,
+                 HandedOver, BoardChanged, ToVehicle, SendSync, SendNegotiation, StartReckoning,
+                 StopReckoning, StartDetours, StartWaySearch, SendTeam, SendMerge, SendFrontier,
+                 MeetingNoted, AirNoted, TeamTaskNoted, BidNoted, SaleNoted, TokenNoted,
+                 JointTaskChanged, ShareTelemetry, ComponelChanged, RoleTaskGiven, PlaceComputed,
+                 ScmNoted, NegotiationNoted, RequestHandled, SyncHeard, PolicyCarriedOut, Notice,
+                 supervisor::MissionDecided, supervisor::StartDeliberation,
+                 supervisor::StopDeliberation, supervisor::PlanChanged, supervisor::GoalChanged,
+                 supervisor::Decided>;
 /// An EffectVariant with out-of-line special members, so that they are compiled only once.
 class Effect : public EffectVariant {
  public:
