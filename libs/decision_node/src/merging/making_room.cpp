@@ -157,6 +157,7 @@ Airways ordered(Airways aside, bool only_leading, const Leads& leads) {
 /// whose joint task nobody else is free for lets others wait all that time.
 void Merging::look_for_room() {
   const MissionTime now = core_.bus().now();
+  if (!refused_.may_try(now)) return;
   if (waiting_) return leave_place();
   const bool is_wanted = vehicle_.stays() && is_in_the_way(*merger_, !vehicle_.rest());
   if (!is_wanted || !has_nothing_to_do(core_)) return room_since_.reset();

@@ -266,7 +266,9 @@ bool Merging::told(const functional::Status& status) {
     if (of_portion) portion_over(status);
     if (waiting_ && waiting_->airways.empty()) ask();
   }
-  return is_aside(status.id);
+  if (!is_aside(status.id)) return false;
+  refused_.told(status, core_.bus().now());
+  return true;
 }
 
 // ---- the vehicle ----

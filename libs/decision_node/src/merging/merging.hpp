@@ -11,6 +11,7 @@
 #include "merging/airways.hpp"
 #include "merging/home_air.hpp"
 #include "merging/portions.hpp"
+#include "merging/refused_aside.hpp"
 #include "merging/vehicle_air.hpp"
 #include "merging/waiting.hpp"
 #include "merging/way_around.hpp"
@@ -101,6 +102,7 @@ class Merging final : public Component {
   supervisor::AirOrders orders_;                          ///< as the supervisor was told
   std::optional<functional::TaskId> runs_already_;        ///< a sweep that begins its last portion
   functional::TaskId aside_ = functional::kFirstAsideId;  ///< of the next flight out of the way
+  RefusedAside refused_;
 };
 
 }  // namespace skein::decision_node

@@ -146,6 +146,9 @@ class MergedTeam {
   }
   /// It is on the ground from now on, and aborts whatever it is given.
   void put_down(const std::string& uav) { uavs_[uav].is_put_down = true; }
+  /// It aborts whatever it is given from now on, or does not any more.
+  void refuse(const std::string& uav, bool refuses) { uavs_[uav].refuses = refuses; }
+  int given(const std::string& uav) { return uavs_[uav].given; }
   /// So much of its energy is left from now on.
   void drain(const std::string& uav, double left) { uavs_[uav].state.energy = left; }
   /// Who asked to be woken at one instant again and again.
@@ -201,7 +204,8 @@ class MergedTeam {
     std::vector<functional::Status> passed;
     double highest = 0;
     bool stopped = false;  ///< in what it flies
-    bool is_put_down = false;
+    bool is_put_down = false, refuses = false;
+    int given = 0;  ///< requests
     std::vector<StartWaySearch> searches;
     int flown = 0;  ///< [0.1 s]
   };
@@ -247,6 +251,7 @@ class MergedTeam {
   }
 
   void take(Uav& uav, const functional::Request& request) {
+    ++uav.given;
     if (request.verb == functional::Verb::kInterrupt) {
       if (uav.task && uav.task->id == request.id) {
         uav.way.clear();
@@ -277,6 +282,11 @@ class MergedTeam {
       at.z() = 0;
       uav.way.clear();
       uav.stopped = true;
+    }
+    if (uav.refuses && uav.task) {
+      uav.way.clear();
+      return give(name, StatusTold{{std::exchange(uav.task, std::nullopt)->id,
+                                    functional::TaskState::kAborted, "refused"}});
     }
     if (!uav.way.empty()) {
       const Vector3 to = uav.way.front() - at;
