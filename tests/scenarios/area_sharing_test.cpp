@@ -80,6 +80,21 @@ TEST(AreaSharing, WhatOneLeavesTheOthersFinishTogether) {
   }
 }
 
+// Found by storms (302, 509): the third one took each of them for lost, on the other's word.
+TEST(AreaSharing, TwoOfThreeThatLoseEachOtherMapItToTheEndAllTheSame) {
+  scenario::Scenario area = scenario_at("area-sharing/negotiated", with(1));
+  area.radio.cuts.push_back(
+      {"heron", "wren", MissionTime::seconds(1098), MissionTime::seconds(1187)});
+
+  const Mission mapping = play(area);
+
+  const auto gone_without =
+      mapping.find({{"kind", "joint"}, {"uav", "swift"}, {"holders", "heron map, swift map"}});
+  EXPECT_FALSE(gone_without.empty());
+  EXPECT_EQ(mapping.count({{"kind", "joint"}, {"phase", "ended"}}), 3U);
+  EXPECT_EQ(mapping.untrue, "");
+}
+
 /// As a zone is written in a scenario.
 std::string text_of(const world::Polygon& polygon) {
   std::ostringstream text;

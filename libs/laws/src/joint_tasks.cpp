@@ -209,8 +209,17 @@ bool is_same_attempt(const JointTold& one, const JointTold& other) {
   return one.joint == other.joint && from + kTelling < until_other && from_other + kTelling < until;
 }
 
-/// When the other had already ended, it was interrupted from outside on its way out, or gave up
-/// hearing of that over a radio that was down all the while, be it by its contact-loss policy.
+/// Whether the ground station, which plays its role, was out of its reach for long before that.
+bool lost_its_player(const JointHistory& history, const std::string& uav,
+                     const JointTold::Phase& left) {
+  constexpr double kSilence = 55;  // [s] of the minute after which both leave
+  return left.why.starts_with("no contact with the ground station") &&
+         history.cut_off(uav, "ground", left.at - kSilence, left.at);
+}
+
+/// When the other had already ended, it was interrupted from outside on its way out, lost the
+/// ground station that played its role, or gave up hearing of that over a radio that was down all
+/// the while, be it by its contact-loss policy.
 bool left_without_knowing(const JointHistory& history, const JointTold& aborted,
                           const JointTold& ended) {
   const auto left = std::find_if(aborted.phases.begin(), aborted.phases.end(), [](const auto& one) {
@@ -220,7 +229,7 @@ bool left_without_knowing(const JointHistory& history, const JointTold& aborted,
   if (left == aborted.phases.end() || left->at <= end) return false;
   const bool for_silence = left->why.starts_with("no contact with '" + ended.uav + "'") ||
                            left->why.starts_with("contact lost: ");
-  return left->why == "interrupted" ||
+  return left->why == "interrupted" || lost_its_player(history, aborted.uav, *left) ||
          (for_silence && history.cut_off(aborted.uav, ended.uav, end, left->at));
 }
 

@@ -119,7 +119,7 @@ double AreaShare::area_left() const {
 
 void AreaShare::agree(const Rows& result) {
   ++round_;
-  nobodys_.clear();
+  lost_.clear();
   for (const Row& row : result) {
     if (row.numbers.empty()) continue;
     if (row.name == self_)
@@ -132,13 +132,23 @@ void AreaShare::agree(const Rows& result) {
 void AreaShare::take(const std::vector<Polygon>& areas) {
   ++round_;
   for (const Polygon& area : areas) own_.push_back({area});
-  nobodys_.clear();
+  lost_.clear();
 }
 
 void AreaShare::lose(const std::string& uav) {
-  const auto theirs = others_.extract(uav);
-  if (theirs.empty()) return;
-  nobodys_.insert(nobodys_.end(), theirs.mapped().begin(), theirs.mapped().end());
+  auto theirs = others_.extract(uav);
+  if (!theirs.empty()) lost_[uav] = std::move(theirs.mapped());
+}
+
+void AreaShare::leave_to(const std::string& uav) {
+  others_.erase(uav);
+  lost_.erase(uav);
+}
+
+std::vector<Polygon> AreaShare::nobodys() const {
+  std::vector<Polygon> all;
+  for (const auto& [uav, areas] : lost_) all.insert(all.end(), areas.begin(), areas.end());
+  return all;
 }
 
 void AreaShare::told(const std::string& uav, const Rows& left) {

@@ -37,7 +37,10 @@ class AreaShare {
   void take(const std::vector<world::Polygon>& areas);
   /// A partner is lost: its remainder, as last told or agreed, has no owner any more.
   void lose(const std::string& uav);
-  const std::vector<world::Polygon>& nobodys() const { return nobodys_; }
+  /// A partner goes on without this member: its remainder stays its own, though it was lost here.
+  void leave_to(const std::string& uav);
+  /// The remainders of lost partners.
+  std::vector<world::Polygon> nobodys() const;
   /// A partner's remainder. Ignored if it was told before the latest division.
   void told(const std::string& uav, const interaction::Rows& left);
 
@@ -71,8 +74,8 @@ class AreaShare {
   int round_ = 0;
   std::vector<Piece> own_;
   std::map<std::string, std::vector<world::Polygon>> others_;
-  std::vector<world::Polygon> nobodys_;
-  std::vector<world::Vector3> at_;  ///< the last position; empty: unknown
+  std::map<std::string, std::vector<world::Polygon>> lost_;  ///< by the partner that had them
+  std::vector<world::Vector3> at_;                           ///< the last position; empty: unknown
 };
 
 /// The part of a convex polygon in which `lowest` <= its distance along `normal` <= `highest`.

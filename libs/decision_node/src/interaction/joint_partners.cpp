@@ -87,12 +87,18 @@ void JointTask::give_up_on_partners() {
   }
 }
 
-// While it runs.
+// While it runs, until it has only flights left. Of who has ended nothing is expected any more.
+std::vector<std::string> JointTask::partners_needed() const {
+  std::vector<std::string> needed;
+  if (my_.phase != JointPhase::kRunning || play_.has_only_flights_left()) return needed;
+  for (const auto& [uav, role] : my_.holders)
+    if (uav != self() && !ended_.contains(uav)) needed.push_back(uav);
+  return needed;
+}
+
 void JointTask::lose_the_silent() {
-  if (my_.phase != JointPhase::kRunning) return;
   const Partners& partners = interaction_.partners();
-  for (const auto& [uav, role] : Holders(my_.holders)) {
-    if (uav == self()) continue;
+  for (const std::string& uav : partners_needed()) {
     const auto since = partners.silent_since(uav);
     if (partners.is_declared_lost(uav)) {
       lost(uav, "'" + uav + "' is declared lost");
@@ -108,12 +114,9 @@ std::optional<MissionTime> JointTask::next_loss() const {
   if (my_.phase == JointPhase::kLoading) {
     for (const std::string& uav : my_.joint.members)
       if (uav != self()) next = earliest(next, known.gives_up_at(uav, waits_since_));
-  } else if (my_.phase == JointPhase::kRunning) {
-    for (const auto& [uav, role] : my_.holders) {
-      const auto since = uav == self() ? std::nullopt : known.silent_since(uav);
-      if (since) next = earliest(next, *since + kLostAfter);
-    }
   }
+  for (const std::string& uav : partners_needed())
+    if (const auto since = known.silent_since(uav)) next = earliest(next, *since + kLostAfter);
   return next;
 }
 
@@ -124,10 +127,22 @@ void JointTask::partner_told(const interaction::JointTaskStatus& status, Mission
   if (!roles_known_ || at <= agreed_at_) return;
   if (status.phase == JointPhase::kEnded) ended_.insert(status.uav);
   play_.partner_has_left(status.uav, status.left);
+  const bool goes_on = my_.phase == JointPhase::kRunning && status.phase == JointPhase::kRunning;
+  if (goes_on && !status.holders.empty() && !status.holders.contains(self()))
+    return go_on_apart(status);
   if (!gone) return;
   const std::string why = "'" + status.uav + "' left: " + status.why;
   if (my_.phase == JointPhase::kRunning) return lost(status.uav, why);
   if (my_.phase == JointPhase::kLoading || my_.phase == JointPhase::kLoaded) load_again(why);
+}
+
+// It was lost there, over a link that is down or past a third one, and what it had left is theirs:
+// they and this UAV do not count on each other any more.
+void JointTask::go_on_apart(const interaction::JointTaskStatus& status) {
+  for (const auto& [uav, role] : status.holders) {
+    play_.leave_share_to(uav);
+    lost(uav, "'" + status.uav + "' goes on without '" + self() + "'");
+  }
 }
 
 bool JointTask::partners_have_ended() const {

@@ -91,7 +91,6 @@ void JointPlay::begin(const std::string& role) {
   given_up_.clear();
   renewed_.clear();
   blind_.clear();
-  ended_.clear();
   sharing_again_.reset();
   places_again_.reset();
   roles_stand_until_.reset();
@@ -281,14 +280,12 @@ void JointPlay::fail(const std::string& componel, const std::string& why) {
   leave_if_stuck(componel, why);
 }
 
+bool JointPlay::has_only_flights_left() const {
+  return play_ && failed_.empty() && play_->has_only_flights_left();
+}
+
 bool JointPlay::nothing_is_left_together() const {
-  if (!play_ || !task_.partners_have_ended()) return false;
-  const interaction::Automaton& automaton = play_->automaton();
-  for (interaction::ComponelIndex i = 0; i < automaton.size(); ++i) {
-    const auto* task = automaton[i].task();
-    if (task != nullptr && task->type != "goto" && !ended_.contains(automaton[i].id)) return false;
-  }
-  return true;
+  return task_.partners_have_ended() && has_only_flights_left();
 }
 
 // What was to be done together is done. A role that is not over by this has something left to do.
@@ -362,7 +359,6 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
       !ended && !asked && (on_board || event.cause == executive::AbortCause::kOther);
   if (by_vehicle && begins_again(componel, ran)) return;
   const bool has_no_air = event.cause == executive::AbortCause::kNoAir;
-  if (ended) ended_.insert(componel);
   const bool is_last = has_no_air && nothing_is_left_together();
   if (!ended && !asked && !is_last) failed_.try_emplace(componel, event.reason);
   if (ended && is_mapping(play_->automaton(), componel)) share_.flown();

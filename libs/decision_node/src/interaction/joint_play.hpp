@@ -66,12 +66,16 @@ class JointPlay {
   bool goes_on_without() const;
   /// Whether a task of the role was done for as long as was asked.
   bool has_done_its_part() const;
-  /// Whether its partners have ended their roles, and this one has only flights left.
+  /// Whether what the role was for is done: it has only flights left.
+  bool has_only_flights_left() const;
+  /// The same, and its partners have ended their roles.
   bool nothing_is_left_together() const;
   void lose(const std::string& uav);
   void partner_has_left(const std::string& uav, const interaction::Rows& rest) {
     share_.told(uav, rest);
   }
+  /// A partner goes on without this UAV, and with what it has of an area.
+  void leave_share_to(const std::string& uav) { share_.leave_to(uav); }
   Result<interaction::Rows, Failure> offer_of_area() const;
   void decided(const interaction::Terms& terms, const interaction::NegotiationOutcome& outcome);
 
@@ -179,7 +183,6 @@ class JointPlay {
   std::map<std::string, int> given_up_;  ///< how often by the vehicle, since the role asked for it
   std::map<executive::TaskId, executive::TaskId>
       looks_;                                  ///< unfinished perceptions to their flights
-  std::set<std::string> ended_;                ///< componels whose task ended well
   std::set<executive::TaskId> blind_;          ///< flights aborted since their perception was
   std::map<std::string, std::string> failed_;  ///< reason of the last failure, by componel
 };

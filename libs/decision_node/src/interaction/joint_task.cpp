@@ -318,7 +318,8 @@ void JointTask::invited(const interaction::Terms& terms) {
     if (loaded) my_.phase = JointPhase::kLoading;
     return host_.bus().post([this] { negotiate_start(); });
   }
-  if (my_.phase != JointPhase::kRunning) return;
+  // Who has been lost here calls others than those who go on.
+  if (my_.phase != JointPhase::kRunning || !my_.holders.contains(terms.opener)) return;
   // Whom the others do not count on any more is lost here too.
   for (const auto& [uav, role] : Holders(my_.holders)) {
     const bool in = std::count(terms.members.begin(), terms.members.end(), uav) > 0;

@@ -117,6 +117,7 @@ class JointTask {
   void answer();
   void do_without_the_absent();
   void give_up_on_partners();
+  std::vector<std::string> partners_needed() const;
   void lose_the_silent();
   std::optional<MissionTime> next_loss() const;
   void negotiate_roles();
@@ -125,6 +126,7 @@ class JointTask {
   void start_agreed(const interaction::Rows& result);
   void not_agreed(const std::string& why);
   void not_loaded(const std::string& why);
+  void go_on_apart(const interaction::JointTaskStatus& status);
   void load_again(const std::string& why);
   void begin_if_due();
   void lost(const std::string& uav, const std::string& why);

@@ -138,6 +138,24 @@ bool RolePlay::goes_on() const {
   return false;
 }
 
+bool RolePlay::has_only_flights_left() const {
+  return engine_.state(0) == ComponelState::kRunning && !may_do_more_than_fly(0, false);
+}
+
+// `again`: a loop around it may begin it anew.
+bool RolePlay::may_do_more_than_fly(ComponelIndex componel, bool again) const {
+  const ComponelState state = engine_.state(componel);
+  const bool is_out = interaction::is_over(state) || state == ComponelState::kAborting;
+  if (is_out && !again) return false;
+  const interaction::Componel& one = automaton()[componel];
+  if (one.task() != nullptr) return one.task()->type != "goto";
+  if (one.block() == nullptr) return false;
+  const bool begins_anew = again || one.block()->type == interaction::BlockType::kLoop;
+  return std::ranges::any_of(one.block()->content, [&](ComponelIndex inner) {
+    return may_do_more_than_fly(inner, begins_anew);
+  });
+}
+
 std::vector<std::string> RolePlay::violated() const {
   std::vector<std::string> all;
   for (const auto& [id, monitor] : monitors_) {

@@ -51,6 +51,8 @@ class RolePlay {
   /// Whether a task or an action of the role is under way or about to be, or an instant will come
   /// that it waits for: else only a message can let it go on.
   bool goes_on() const;
+  /// Whether the role runs and no task but flights (`goto`) is under way or can begin any more.
+  bool has_only_flights_left() const;
   std::vector<std::string> violated() const;
   /// The block with this local parameter, and how it is computed.
   struct Local {
@@ -63,6 +65,7 @@ class RolePlay {
   std::vector<interaction::ActiveScm> scms_at(interaction::ComponelIndex block, bool ahead) const;
 
  private:
+  bool may_do_more_than_fly(interaction::ComponelIndex componel, bool again) const;
   void forget_monitors_of_restarted(const interaction::Effects& effects);
   std::vector<interaction::ActiveScm> active_scms() const;
 

@@ -154,6 +154,21 @@ TEST(AreaShare, WhatALostPartnerHadLeftIsNobodys) {
   EXPECT_THAT(share.nobodys(), SizeIs(1));
 }
 
+TEST(AreaShare, WhatAPartnerHasThatGoesOnWithoutItStaysThePartners) {
+  AreaShare share("heron");
+  share.agree(agreed(kWest, kEast));
+  share.leave_to("wren");
+  share.lose("wren");
+  EXPECT_THAT(share.nobodys(), IsEmpty());
+
+  share.agree({interaction::row_of("wren", kEast)});
+  share.lose("wren");
+  ASSERT_THAT(share.nobodys(), SizeIs(1)) << "lost, and nothing is heard of it";
+  share.leave_to("wren");
+  EXPECT_THAT(share.nobodys(), IsEmpty()) << "a third one tells of it";
+  EXPECT_NEAR(share.area_left(), 40000, 1e-6);
+}
+
 TEST(AreaShare, OfAPartnerThatToldNothingAllItsPartIsNobodys) {
   AreaShare share("heron");
   share.agree(agreed(kWest, kEast));

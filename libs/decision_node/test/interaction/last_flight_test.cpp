@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A role whose flight gets no air: what the end of its partner means to it. "marvin" relays for
-// "heliv", meets it twice, and flies back to the ground at last.
+// A role whose flight gets no air, or whose partner is silent: what the end of the partner means to
+// it, and that it has only a flight left. "marvin" relays for "heliv", meets it twice, and flies
+// back to the ground at last.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,11 +72,11 @@ class FlightWithoutAir : public ::testing::Test {
     return (when ? start_ : roles_).answers(interaction::SessionMessageReceived{message}, now_);
   }
 
-  void run(int seconds) {
+  void run(int seconds, bool heliv_is_heard = true) {
     for (int i = 0; i < seconds; ++i) {
       now_ = now_ + Duration::seconds(1);
       give(seen("marvin", {60, 0, 20}));
-      give(PartnerSeen{seen("heliv", {0, 100, 20})});
+      if (heliv_is_heard) give(PartnerSeen{seen("heliv", {0, 100, 20})});
       give(Tick{});
     }
   }
@@ -89,11 +90,13 @@ class FlightWithoutAir : public ::testing::Test {
     give(TaskEvent{task.id, task.type, state, "it waits for karma to leave", cause});
   }
 
-  void heliv_ends() {
+  void heliv_ends() { heliv_is(JointPhase::kEnded); }
+  void heliv_is(JointPhase phase, const std::map<std::string, std::string>& holders = {}) {
     JointTaskTold told;
     told.status.uav = "heliv";
     told.status.subject = marvin_.subject;
-    told.status.phase = JointPhase::kEnded;
+    told.status.phase = phase;
+    told.status.holders = holders;
     told.at = now_;
     give(told);
   }
@@ -154,6 +157,40 @@ TEST_F(FlightWithoutAir, AFlightThatFailsOtherwiseFailsTheRoleThoughThePartnerHa
   heliv_ends();
   for (int i = 0; i < 3; ++i) over(TaskState::kAborted);
   EXPECT_EQ(marvin_.phase, JointPhase::kAborted);
+}
+
+using PartnerOutOfReach = FlightWithoutAir;
+
+// Found by storms (agreed-places/pursuit 608): a partner had ended beyond its reach.
+TEST_F(PartnerOutOfReach, IsNotNeededForTheLastFlight) {
+  for (int i = 0; i < 3; ++i) over(TaskState::kEnded);
+  run(100, false);
+  EXPECT_EQ(marvin_.phase, JointPhase::kRunning);
+
+  over(TaskState::kEnded);
+  EXPECT_EQ(marvin_.phase, JointPhase::kEnded);
+}
+
+TEST_F(PartnerOutOfReach, IsLostBeforeTheLastFlight) {
+  for (int i = 0; i < 2; ++i) over(TaskState::kEnded);
+  run(100, false);
+  EXPECT_EQ(marvin_.phase, JointPhase::kLeaving);
+  EXPECT_THAT(marvin_.why, HasSubstr("no contact with 'heliv'"));
+}
+
+TEST_F(PartnerOutOfReach, IsNotLostOnceItHasEnded) {
+  heliv_ends();
+  run(100, false);
+  EXPECT_EQ(marvin_.phase, JointPhase::kRunning);
+}
+
+TEST_F(PartnerOutOfReach, ThatGoesOnWithoutTheOtherIsLostToThatOne) {
+  heliv_is(JointPhase::kRunning, {{"heliv", "watch"}, {"marvin", "relay"}});
+  EXPECT_EQ(marvin_.phase, JointPhase::kRunning);
+
+  heliv_is(JointPhase::kRunning, {{"heliv", "watch"}, {"karma", "relay"}});
+  EXPECT_EQ(marvin_.phase, JointPhase::kLeaving);
+  EXPECT_EQ(marvin_.why, "'heliv' goes on without 'marvin'");
 }
 
 }  // namespace

@@ -55,6 +55,30 @@ class Watching : public ::testing::Test {
   RolePlay play_;
 };
 
+TEST_F(Watching, WhatALoopMayBeginAnewIsLeft) {
+  for (const std::string task : {"w1", "w2", "w3"}) {
+    EXPECT_FALSE(play_.has_only_flights_left()) << task;
+    ends(task);
+  }
+  EXPECT_FALSE(play_.has_only_flights_left());
+}
+
+TEST(Relaying, HasOnlyAFlightLeftAfterItsLastMeeting) {
+  const Joint joint = testing::joint();
+  RolePlay play(joint, "relay", {{"heliv", "watch"}, {"marvin", "relay"}}, "marvin");
+  const auto tell = [&](const interaction::Input& input) { ASSERT_TRUE(play.tell(input, {})); };
+  tell(interaction::Start{});
+  for (const std::string task : {"r1", "r2", "r3"}) {
+    EXPECT_FALSE(play.has_only_flights_left()) << task;
+    tell(Status{task, Status::Word::kRunning});
+    tell(Status{task, Status::Word::kEnded});
+  }
+  EXPECT_TRUE(play.has_only_flights_left());
+
+  tell(interaction::Abort{});
+  EXPECT_FALSE(play.has_only_flights_left()) << "it is being left";
+}
+
 // Whoever waits for its partner may make room; whoever looks at the fire from near may not.
 TEST_F(Watching, KeepsItsPlaceWhereMoreHoldsThanToKeepApart) {
   ends("w1");
