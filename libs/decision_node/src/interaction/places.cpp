@@ -9,6 +9,7 @@
 #include "skein/foundation/joined.hpp"
 #include "skein/interaction/capabilities.hpp"
 #include "skein/interaction/describe.hpp"
+#include "skein/interaction/placed_constraint.hpp"
 #include "skein/interaction/role_fit.hpp"
 #include "skein/negotiation/role_places.hpp"
 #include "skein/refiners/flight.hpp"
@@ -48,23 +49,29 @@ Position in_the_air(Position at, const world::World& world) {
   return at;
 }
 
-// Of an SCM with a place that is not known nothing can be said.
-std::vector<interaction::ActiveScm> known_ones(const std::vector<interaction::ActiveScm>& scms,
+/// Whether the constraint is about none but places that have a name here.
+bool is_about_named(const interaction::SpatialConstraint& one,
+                    const interaction::ScmBinding& binding) {
+  const auto* others = std::get_if<std::vector<std::string>>(&one.than);
+  const auto is_named = [&](const std::string& place) { return !binding.places.at(place).empty(); };
+  return std::ranges::all_of(one.of, is_named) &&
+         (others == nullptr || std::ranges::all_of(*others, is_named));
+}
+
+// Of a place that is not known nothing can be said; what an SCM says of its other places holds.
+std::vector<interaction::ActiveScm> known_ones(std::vector<interaction::ActiveScm> scms,
                                                const Outlook& outlook,
                                                const interaction::ScmLimits& limits) {
-  std::vector<interaction::ActiveScm> known;
-  for (const interaction::ActiveScm& one : scms) {
-    bool all = true;
-    for (const auto& [formal, names] : one.binding.places) {
-      for (const std::string& name : names) {
-        const auto seen = outlook.observer(name);
-        all = all && seen &&
-              outlook.now - seen->at <= (seen->by_sensors ? limits.oldest_seen : limits.oldest);
-      }
-    }
-    if (all) known.push_back(one);
+  const auto is_known = interaction::known_by(outlook.observer, outlook.now, limits);
+  for (interaction::ActiveScm& one : scms) {
+    for (auto& [formal, names] : one.binding.places)
+      std::erase_if(names, [&](const std::string& name) { return !is_known(name); });
+    std::erase_if(one.scm.constraints, [&](const interaction::SpatialConstraint& constraint) {
+      return !is_about_named(constraint, one.binding);
+    });
   }
-  return known;
+  std::erase_if(scms, [](const auto& one) { return one.scm.constraints.empty(); });
+  return scms;
 }
 
 bool is_seen_by_sensors(const interaction::ActiveScm& scm, const Outlook& outlook) {

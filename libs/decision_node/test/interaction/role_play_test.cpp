@@ -356,6 +356,32 @@ TEST(PlaceOf, IsWhereOthersStayBeforeThereIsNone) {
   EXPECT_TRUE(place_of({call_of("valid-position()"), {}, {0, 0, 40}, "", {}}, outlook));
 }
 
+// Found by storms (agreed-places/pursuit 401): in reach of the vehicle, while the partner in reach
+// of whom it was to be as well was silent.
+TEST(PlaceOf, KeepsWhatAnScmSaysOfPlacesThatAreKnownBesideOneThatIsNot) {
+  const Flat flat;
+  Outlook outlook = flat.outlook();
+  outlook.observer = [&](const std::string& name) -> std::optional<interaction::Sighting> {
+    if (name != "vehicle") return std::nullopt;
+    return interaction::Sighting{{100, 0, 0}, outlook.now};
+  };
+  interaction::Scm between{"between", {{"one"}, {"other"}}, {}};
+  for (const auto& [place, far] : {std::pair("one", 60.0), std::pair("other", 30.0)}) {
+    interaction::SpatialConstraint near;
+    near.of = {place};
+    near.than = interaction::Term(far);
+    between.constraints.push_back(near);
+  }
+  interaction::ScmBinding binding;
+  binding.places = {{"one", {"vehicle"}}, {"other", {"heliv"}}};
+
+  const auto place = place_of(
+      {call_of("valid-position()"), {}, {0, 0, 40}, "", {{"in-view", between, binding}}}, outlook);
+
+  ASSERT_TRUE(place) << place.error().why;
+  EXPECT_LT(std::hypot((*place)[0] - 100, (*place)[1], (*place)[2]), 60);
+}
+
 TEST(CallOf, TakesAnInitialiserApart) {
   EXPECT_EQ(call_of("best-view(front, center)").function, "best-view");
   EXPECT_THAT(call_of("best-view(front, center)").arguments, ElementsAre("front", "center"));
