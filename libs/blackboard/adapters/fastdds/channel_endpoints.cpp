@@ -10,6 +10,7 @@
 
 #include <utility>
 
+#include "deletion.hpp"
 #include "qos.hpp"
 #include "sample_type.hpp"
 
@@ -87,8 +88,7 @@ Result<void, Failure> ChannelEndpoints::close() {
   bool good = true;
   writers_.fill(nullptr);
   if (auto* const publisher = std::exchange(publisher_, nullptr)) {
-    good = publisher->delete_contained_entities() == kOk &&
-           participant->delete_publisher(publisher) == kOk;
+    good = delete_publisher(*participant, publisher);
   }
   if (auto* const subscriber = std::exchange(subscriber_, nullptr)) {
     good = subscriber->delete_contained_entities() == kOk &&

@@ -77,7 +77,10 @@ class FastDdsTransport::Impl {
   explicit Impl(DdsConfig config) : config_(std::move(config)), log_(config_.log) {}
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
-  ~Impl() { links_.flush(); }
+  ~Impl() {
+    links_.flush();
+    links_.close();
+  }
 
   Result<void, Failure> open(const TransportPlan& plan);
   rtps::Links& links() { return links_; }

@@ -74,4 +74,9 @@ void Links::flush() {
   for (Link& link : links_) link.flush(until);
 }
 
+void Links::close() {
+  for (Link& link : links_)
+    if (auto closed = link.set_up(false); !closed && log_) log_(closed.error().why);
+}
+
 }  // namespace skein::blackboard::rtps

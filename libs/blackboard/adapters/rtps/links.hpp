@@ -38,6 +38,8 @@ class Links {
   std::vector<Arrival> take();
   /// The last words of the node: waits, within bounds, until everybody in the world has got them.
   void flush();
+  /// The end: all channels are taken down.
+  void close();
 
   Mailbox& mailbox() { return mailbox_; }
   AwaitedWriters& awaited() { return awaited_; }
