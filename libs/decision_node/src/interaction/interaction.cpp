@@ -181,7 +181,7 @@ void Interaction::give_up_closed_ways(const world::VehicleState& state) {
     host_.bus().emit(Notice{"goto " + std::to_string(id.value()) +
                             " of a role is given up: volume '" + closed->name +
                             "' closes on its way"});
-    closed_ways_.insert(id);
+    aborts_.note(id, AbortedFor::kNothing);
     host_.run(executive::Abort{id});
   }
 }

@@ -5,12 +5,12 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "component.hpp"
+#include "interaction/aborts.hpp"
 #include "interaction/joint_host.hpp"
 #include "interaction/joint_task.hpp"
 #include "interaction/sightings.hpp"
@@ -63,8 +63,8 @@ class Interaction final : public Component {
   };
   /// Null: it has not said so, says something else since, or it is long over.
   const Refusal* refusal_of(const std::string& subject, const std::string& uav) const;
-  /// Whether a flight of a role was aborted since air closes on its way; true once.
-  bool had_its_way_closed(executive::TaskId flight) { return closed_ways_.erase(flight) > 0; }
+  /// Of the tasks of all roles.
+  Aborts& aborts() { return aborts_; }
   /// The id for a new task of a role.
   executive::TaskId next_id();
 
@@ -92,7 +92,7 @@ class Interaction final : public Component {
   std::map<executive::TaskId, std::unique_ptr<JointTask>> tasks_;
   std::map<std::pair<std::string, std::string>, Refusal> refusals_;  ///< by subject and UAV
   std::map<executive::TaskId, world::Vector3> flights_;  ///< of roles, under way, and from where
-  std::set<executive::TaskId> closed_ways_;              ///< those aborted since theirs has closed
+  Aborts aborts_;
   Rising ids_;  ///< of tasks of roles, from the first one on
   std::map<std::uint64_t, interaction::SessionId> reckonings_;  ///< by job
   std::uint64_t last_reckoning_ = 0;

@@ -94,9 +94,9 @@ bool JointPlay::flew_after(const executive::TaskEvent& event, const std::string&
   if (!is_terminal(event.state)) return true;
   found->second.flies = false;
   tasks_.erase(event.id);
-  const bool asked = interrupted_.erase(event.id) > 0;
+  const bool asked = interaction_.aborts().take(event.id) == AbortedFor::kRole;
   if (event.state == executive::TaskState::kEnded && !asked) return true;
-  if (!asked) failed_.try_emplace(componel, event.reason);
+  if (!asked) record_.aborted(componel, event.reason);
   following_.erase(found);
   tell_status(componel, Word::kAborted);
   return true;

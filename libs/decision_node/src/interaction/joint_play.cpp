@@ -22,7 +22,6 @@ constexpr const char* kMemberLost = "member lost";
 constexpr Duration kReallocation = Duration::milliseconds(10'000);
 constexpr Duration kStand = Duration::milliseconds(20'000);  // of roles that were just confirmed
 constexpr Duration kNothing = Duration::milliseconds(500);   // of a perception: it is done
-constexpr Duration kAtOnce = Duration::milliseconds(1'000);  // what ran for less failed as it began
 
 bool holds_vehicle(const std::string& type) {
   return functional::TaskTypes::shipped().of(type).holds_vehicle();
@@ -30,16 +29,6 @@ bool holds_vehicle(const std::string& type) {
 
 bool is_mapping(const interaction::Automaton& automaton, const std::string& componel) {
   return automaton[*automaton.find(componel)].task()->type == kMapArea;
-}
-
-// What is begun anew has another chance.
-void forget_failures_in(const std::string& componel, const interaction::Automaton& automaton,
-                        std::map<std::string, std::string>& failed) {
-  const auto outer = *automaton.find(componel);
-  std::erase_if(failed, [&](const auto& one) {
-    const auto inner = *automaton.find(one.first);
-    return inner == outer || automaton.contains(outer, inner);
-  });
 }
 
 /// Way-points are passed within that [m].
@@ -83,14 +72,10 @@ Outlook JointPlay::outlook() const { return task_.outlook(); }
 void JointPlay::begin(const std::string& role) {
   ++plays_;
   tasks_.clear();
-  failed_.clear();
+  record_.begin_anew();
   actions_.clear();
   looks_.clear();
   following_.clear();
-  fails_at_once_.clear();
-  given_up_.clear();
-  renewed_.clear();
-  blind_.clear();
   sharing_again_.reset();
   places_again_.reset();
   roles_stand_until_.reset();
@@ -127,7 +112,7 @@ void JointPlay::carry_out(const interaction::StateChanged& effect) {
   const interaction::Componel& around = automaton[componel.parent];
   note.block = around.id;
   if (effect.state == ComponelState::kScheduled)
-    forget_failures_in(effect.componel, automaton, failed_);
+    record_.forget_failures_in(effect.componel, automaton);
   if (effect.state == ComponelState::kRunning && componel.block() != nullptr) {
     note.because = joined(describe(componel.block()->precondition, automaton), " ");
   }
@@ -169,7 +154,7 @@ bool JointPlay::goes_on_without() const { return play_ && play_->listens_to(kMem
 bool JointPlay::has_done_its_part() const {
   if (!play_) return false;
   const interaction::Automaton& automaton = play_->automaton();
-  return std::ranges::any_of(done_, [&](const auto& one) {
+  return std::ranges::any_of(record_.done(), [&](const auto& one) {
     const auto& [componel, done] = one;
     const auto found = automaton.find(componel);  // it may be of a role that it had before
     const auto* task = found ? automaton[*found].task() : nullptr;
@@ -194,7 +179,7 @@ void JointPlay::leave() {
 // What is told may be carried out at once, and then it is no task of the role any more.
 void JointPlay::abort_tasks(bool is_done) {
   for (const auto& [id, componel] : std::map(tasks_)) {
-    if (is_done) interrupted_.insert(id);
+    if (is_done) interaction_.aborts().note(id, AbortedFor::kRole);
     host_.run(executive::Abort{id});
   }
 }
@@ -232,7 +217,7 @@ void JointPlay::run(const std::string& name) {
   const interaction::Componel& componel = automaton[*automaton.find(name)];
   if (componel.task()->type == kMapArea) return map_area(name);
   if (componel.task()->type == kFollow) return follow(name);
-  const Duration done = done_[name];
+  const Duration done = record_.done(name);
   const Duration wanted = duration_of(*componel.task(), *play_);
   if (is_done(wanted, done)) return tell_status(name, Word::kEnded);
   const Outlook outlook = this->outlook();
@@ -243,10 +228,9 @@ void JointPlay::run(const std::string& name) {
 }
 
 // Few roles say what comes then; the others would wait for its end for ever.
-bool JointPlay::begins_again(const std::string& componel, Duration ran) {
-  constexpr int kTries = 3;
-  if (ran < kAtOnce || my_.phase != JointPhase::kRunning || next_role_) return false;
-  if (++given_up_[componel] >= kTries) return false;
+bool JointPlay::begin_again(const std::string& componel, Duration ran) {
+  if (my_.phase != JointPhase::kRunning || next_role_) return false;
+  if (!record_.is_tried_again(componel, ran)) return false;
   host_.bus().emit(Notice{my_.joint.subject + ": " + componel + " is begun again"});
   run(componel);
   return true;
@@ -256,9 +240,9 @@ bool JointPlay::begins_again(const std::string& componel, Duration ran) {
 void JointPlay::meet_without_the_lost() {
   const interaction::Automaton& automaton = play_->automaton();
   for (const auto& [id, componel] : std::map(tasks_)) {
-    if (!is_meeting(*automaton[*automaton.find(componel)].task()) || interrupted_.contains(id))
-      continue;
-    renewed_.insert(id);
+    const bool meets = is_meeting(*automaton[*automaton.find(componel)].task());
+    if (!meets || interaction_.aborts().of(id) == AbortedFor::kRole) continue;
+    interaction_.aborts().note(id, AbortedFor::kAnew);
     host_.run(executive::Abort{id});
   }
 }
@@ -274,14 +258,14 @@ void JointPlay::leave_if_stuck(const std::string& componel, const std::string& w
 void JointPlay::fail(const std::string& componel, const std::string& why) {
   host_.bus().emit(Notice{my_.joint.subject + ": " + componel + ": " + why});
   following_.erase(componel);
-  failed_[componel] = why;
+  record_.failed(componel, why);
   tell_status(componel, Word::kAborted);
   leave_if_in_vain(componel, why);
   leave_if_stuck(componel, why);
 }
 
 bool JointPlay::has_only_flights_left() const {
-  return play_ && failed_.empty() && play_->has_only_flights_left();
+  return play_ && !record_.failure() && play_->has_only_flights_left();
 }
 
 bool JointPlay::nothing_is_left_together() const {
@@ -299,7 +283,7 @@ void JointPlay::stay_without_air(const std::string& componel, const std::string&
 
 // A loop begins anew in the same instant what failed as it began, and would for ever.
 void JointPlay::leave_if_in_vain(const std::string& componel, const std::string& why) {
-  if (!fails_at_once_.insert(componel).second) task_.leave(componel + ": " + why);
+  if (record_.fails_at_once_again(componel)) task_.leave(componel + ": " + why);
 }
 
 // Motions wait for each other; what looks along one does not count.
@@ -331,7 +315,7 @@ executive::TaskId JointPlay::give(const std::string& componel, executive::Task t
 void JointPlay::carry_out(const interaction::Interrupt& effect) {
   for (const auto& [id, componel] : tasks_) {
     if (componel != effect.task) continue;
-    interrupted_.insert(id);
+    interaction_.aborts().note(id, AbortedFor::kRole);
     return host_.run(executive::Abort{id});
   }
   following_.erase(effect.task);
@@ -344,43 +328,34 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   const std::string componel = found->second;
   if (flew_after(event, componel)) return;
   if (event.state == executive::TaskState::kRunning) {
-    running_since_[componel] = now();
+    record_.runs(componel, now());
     return tell_status(componel, Word::kRunning);
   }
   if (!is_terminal(event.state)) return;
-  const Duration ran = note_done(componel);
+  const Duration ran = record_.stopped(componel, now());
   tasks_.erase(found);
   const bool ended = event.state == executive::TaskState::kEnded;
-  if (renewed_.erase(event.id) > 0 && !ended && interrupted_.erase(event.id) == 0)
-    return run(componel);
-  const bool asked = interrupted_.erase(event.id) > 0;
-  const bool on_board = blind_.erase(event.id) > 0 || interaction_.had_its_way_closed(event.id);
-  const bool by_vehicle =
-      !ended && !asked && (on_board || event.cause == executive::AbortCause::kOther);
-  if (by_vehicle && begins_again(componel, ran)) return;
+  const std::optional<AbortedFor> aborted = interaction_.aborts().take(event.id);
+  if (!ended && aborted == AbortedFor::kAnew) return run(componel);
+  const bool asked = aborted == AbortedFor::kRole;
+  const bool gave_up =
+      aborted == AbortedFor::kNothing || event.cause == executive::AbortCause::kOther;
+  const bool by_vehicle = !ended && !asked && gave_up;
+  if (by_vehicle && begin_again(componel, ran)) return;
   const bool has_no_air = event.cause == executive::AbortCause::kNoAir;
   const bool is_last = has_no_air && nothing_is_left_together();
-  if (!ended && !asked && !is_last) failed_.try_emplace(componel, event.reason);
+  if (!ended && !asked && !is_last) record_.aborted(componel, event.reason);
   if (ended && is_mapping(play_->automaton(), componel)) share_.flown();
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);
   if (is_last) return stay_without_air(componel, event.reason);
   // Else it would wait for its partner in a later meeting of the role, and that for it in this one.
   if (has_no_air) return task_.leave(event.reason);
-  if (ended || ran >= kAtOnce) {
-    fails_at_once_.erase(componel);
+  if (ended || !RoleRecord::failed_at_once(ran)) {
+    record_.did_not_fail_at_once(componel);
   } else if (!asked) {
     leave_if_in_vain(componel, event.reason);
   }
   if (by_vehicle) leave_if_stuck(componel, event.reason);
-}
-
-Duration JointPlay::note_done(const std::string& componel) {
-  const auto since = running_since_.find(componel);
-  if (since == running_since_.end()) return {};
-  const Duration ran = now() - since->second;
-  done_[componel] = done_[componel] + ran;
-  running_since_.erase(since);
-  return ran;
 }
 
 bool JointPlay::watch() {
@@ -481,10 +456,10 @@ void JointPlay::carry_out(const interaction::ModelOver& effect) {
     const std::string role = *std::exchange(next_role_, std::nullopt);
     return begin(role);
   }
-  const bool done = failed_.empty();
+  const std::optional<std::string> failure = record_.failure();
   const bool ended =
-      done && effect.state == ComponelState::kEnded && my_.phase == JointPhase::kRunning;
-  if (!done && my_.why.empty()) my_.why = failed_.begin()->first + ": " + failed_.begin()->second;
+      !failure && effect.state == ComponelState::kEnded && my_.phase == JointPhase::kRunning;
+  if (failure && my_.why.empty()) my_.why = *failure;
   if (!ended && my_.why.empty()) my_.why = effect.why.empty() ? "its role was left" : effect.why;
   task_.finish(ended ? JointPhase::kEnded : JointPhase::kAborted);
 }

@@ -13,6 +13,7 @@
 #include "interaction/joint_host.hpp"
 #include "interaction/places.hpp"
 #include "interaction/role_play.hpp"
+#include "interaction/role_record.hpp"
 #include "interaction/sightings.hpp"
 #include "skein/negotiation/joint_task_status.hpp"
 #include "skein/negotiation/negotiation_manager.hpp"
@@ -97,8 +98,8 @@ class JointPlay {
                          std::optional<executive::TaskId> along = {});
   /// A task of the role: to the executive, or over at once.
   void run(const std::string& componel);
-  /// Whether a task that the vehicle gave up after it `ran` is tried anew.
-  bool begins_again(const std::string& componel, Duration ran);
+  /// Tries a task anew that the vehicle gave up after it `ran`; false: it does not.
+  bool begin_again(const std::string& componel, Duration ran);
   /// Begins meetings that are under way anew, without those who hold no role any more.
   void meet_without_the_lost();
   /// Leaves a role that has nothing more to do after this task was given up.
@@ -106,7 +107,7 @@ class JointPlay {
   void carry_out(const interaction::StateChanged& effect);
   void carry_out(const interaction::Compute& effect);
   void carry_out(const interaction::Run& effect) {
-    given_up_.erase(effect.task);
+    record_.asked_for(effect.task);
     run(effect.task);
   }
   void carry_out(const interaction::Negotiate& effect);
@@ -116,8 +117,6 @@ class JointPlay {
   void carry_out(const interaction::ModelOver& effect);
   void roles_agreed(const interaction::Terms& terms,
                     const interaction::NegotiationOutcome& outcome);
-  /// How long the componel's task ran.
-  Duration note_done(const std::string& componel);
   /// After a flight that got no air once all partners had ended: the role is over, or left.
   void stay_without_air(const std::string& componel, const std::string& why);
   /// Leaves the joint task after a task that failed as soon as it began.
@@ -153,13 +152,10 @@ class JointPlay {
   std::uint64_t plays_ = 0;
   std::optional<std::string> next_role_;            ///< the role after the current one
   std::map<executive::TaskId, std::string> tasks_;  ///< unfinished tasks to their componels
-  std::map<std::string, Duration> done_;            ///< time perceived, by componel
-  std::map<std::string, MissionTime> running_since_;
+  RoleRecord record_;
   std::map<std::string, std::string> actions_;  ///< actions under negotiation, to their subjects
   /// After the members agreed that all keep their roles, no new role negotiation before this.
   std::optional<MissionTime> roles_stand_until_;
-  std::set<executive::TaskId> interrupted_;  ///< by request of the role
-  std::set<executive::TaskId> renewed_;      ///< aborted, to be begun anew
   /// A target that is followed, and the place beside it.
   struct Following {
     std::string target;
@@ -179,12 +175,8 @@ class JointPlay {
     bool is_due(MissionTime now) const { return at && *at <= now; }
   };
   std::optional<Again> sharing_again_, places_again_;
-  std::set<std::string> fails_at_once_;  ///< componels whose last task failed as soon as it began
-  std::map<std::string, int> given_up_;  ///< how often by the vehicle, since the role asked for it
   std::map<executive::TaskId, executive::TaskId>
-      looks_;                                  ///< unfinished perceptions to their flights
-  std::set<executive::TaskId> blind_;          ///< flights aborted since their perception was
-  std::map<std::string, std::string> failed_;  ///< reason of the last failure, by componel
+      looks_;  ///< unfinished perceptions to their flights
 };
 
 }  // namespace skein::decision_node

@@ -67,7 +67,7 @@ void JointPlay::share_area(const std::string& action) {
   actions_.erase(action);
   // Nothing was left to whoever was lost, and nobody asks for more.
   if (areas.empty() && share_.agreed()) return tell_status(action, Word::kEnded);
-  failed_[action] = "the area cannot be shared";
+  record_.failed(action, "the area cannot be shared");
   tell_status(action, Word::kAborted);
 }
 
@@ -109,8 +109,8 @@ void JointPlay::look_changed(const executive::TaskEvent& event) {
   looks_.erase(look);
   const auto flown = tasks_.find(flight);
   if (flown == tasks_.end() || event.state == executive::TaskState::kEnded) return;
-  failed_[flown->second] = event.reason;
-  blind_.insert(flight);
+  record_.failed(flown->second, event.reason);
+  interaction_.aborts().note(flight, AbortedFor::kNothing);
   host_.run(executive::Abort{flight});
 }
 

@@ -14,7 +14,7 @@ using mission::DependenceKind;
 using mission::PlannedTask;
 using world::Vector3;
 
-MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
+MissionTime instant(double seconds) { return MissionTime::seconds(seconds); }
 
 PlannedTask planned(std::uint64_t id, const std::string& type, double start, double end,
                     std::optional<Vector3> to = {}, double energy = 0) {
@@ -24,7 +24,7 @@ PlannedTask planned(std::uint64_t id, const std::string& type, double start, dou
   result.task.energy = energy;
   if (to) result.task.way = {*to};
   if (id > 1) result.task.dependences = {{DependenceKind::kEnded, TaskId(id - 1)}};
-  result.dates = {at(start), at(start), at(end), at(end)};
+  result.dates = {instant(start), instant(start), instant(end), instant(end)};
   return result;
 }
 
@@ -41,7 +41,7 @@ class WhenTheJointTaskBegins : public ::testing::Test {
     seen_.energy = 0.9;
   }
   world::VehicleState then(double now, std::uint64_t task = 3) const {
-    return planned_state(seen_, plan_, TaskId(task), vehicle_, at(now));
+    return planned_state(seen_, plan_, TaskId(task), vehicle_, instant(now));
   }
 
   mission::PlanReport plan_;
