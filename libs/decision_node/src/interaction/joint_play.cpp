@@ -2,11 +2,11 @@
 // A joint task while it runs: what its role asks for is carried out.
 #include <algorithm>
 
-#include "interaction/agreed_places.hpp"
 #include "interaction/interaction.hpp"
 #include "interaction/places.hpp"
 #include "interaction/role_tasks.hpp"
 #include "skein/foundation/joined.hpp"
+#include "skein/foundation/overloaded.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/interaction/describe.hpp"
 
@@ -19,9 +19,7 @@ using interaction::JointPhase;
 using Word = interaction::Status::Word;
 
 constexpr const char* kMemberLost = "member lost";
-constexpr Duration kReallocation = Duration::milliseconds(10'000);
-constexpr Duration kStand = Duration::milliseconds(20'000);  // of roles that were just confirmed
-constexpr Duration kNothing = Duration::milliseconds(500);   // of a perception: it is done
+constexpr Duration kNothing = Duration::milliseconds(500);  // of a perception: it is done
 
 bool holds_vehicle(const std::string& type) {
   return functional::TaskTypes::shipped().of(type).holds_vehicle();
@@ -29,11 +27,6 @@ bool holds_vehicle(const std::string& type) {
 
 bool is_mapping(const interaction::Automaton& automaton, const std::string& componel) {
   return automaton[*automaton.find(componel)].task()->type == kMapArea;
-}
-
-/// Way-points are passed within that [m].
-double passing_distance(const world::VehicleModel& vehicle, const world::Wind& wind) {
-  return 5 + 6 * world::tracking_spread(vehicle) + vehicle.wind_drift * wind.speed;
 }
 
 /// Of what has no duration nothing is known.
@@ -55,14 +48,16 @@ std::vector<std::string> Membership::parties_of(const std::string& role, const s
   return {all.begin(), all.end()};
 }
 
-JointPlay::JointPlay(const Surroundings& of)
+JointPlay::JointPlay(const PlaySurroundings& of)
     : host_(of.host),
       interaction_(of.interaction),
       sightings_(of.sightings),
       task_(of.task),
       my_(of.my),
       self_(of.host.config().uav),
-      share_(self_) {}
+      mapping_(of, *this),
+      pursuit_(of, *this),
+      talks_(of, {*this, mapping_.share(), record_}) {}
 
 MissionTime JointPlay::now() const { return host_.bus().now(); }
 Outlook JointPlay::outlook() const { return task_.outlook(); }
@@ -73,12 +68,9 @@ void JointPlay::begin(const std::string& role) {
   ++plays_;
   tasks_.clear();
   record_.begin_anew();
-  actions_.clear();
   looks_.clear();
-  following_.clear();
-  sharing_again_.reset();
-  places_again_.reset();
-  roles_stand_until_.reset();
+  pursuit_.begin_anew();
+  talks_.begin_anew();
   play_.emplace(my_.joint, role, my_.holders, self_);
   tell(interaction::Start{});
 }
@@ -92,17 +84,15 @@ void JointPlay::tell(const interaction::Input& input) {
       return host_.bus().emit(Notice{my_.joint.subject + ": " + effects.error().why});
     }
     for (const interaction::Effect& effect : *effects) {
-      std::visit([this](const auto& one) { carry_out(one); }, effect.what);
+      std::visit(
+          Overloaded{[](const interaction::Read&) {}, [this](const auto& one) { carry_out(one); }},
+          effect.what);
     }
     const auto* message = std::get_if<interaction::Message>(&input);
     if (message != nullptr && message->text == kMemberLost && effects->empty())
       meet_without_the_lost();
     task_.announce();
   });
-}
-
-void JointPlay::tell_status(const std::string& componel, Word word) {
-  tell(interaction::Status{componel, word});
 }
 
 void JointPlay::carry_out(const interaction::StateChanged& effect) {
@@ -165,9 +155,9 @@ bool JointPlay::has_done_its_part() const {
 }
 
 void JointPlay::lose(const std::string& uav) {
-  roles_stand_until_.reset();
+  talks_.lose();
   play_->lose(uav);
-  share_.lose(uav);
+  mapping_.share().lose(uav);
   tell(interaction::Message{kMemberLost});
 }
 
@@ -185,19 +175,14 @@ void JointPlay::abort_tasks(bool is_done) {
 }
 
 void JointPlay::time_passes() {
-  const bool runs = my_.phase == JointPhase::kRunning;
-  if (runs && sharing_again_ && sharing_again_->is_due(now())) share_area(sharing_again_->action);
-  if (runs && places_again_ && places_again_->is_due(now()))
-    negotiate_places(places_again_->action);
+  if (my_.phase == JointPhase::kRunning) talks_.time_passes();
   const auto next = play_ ? play_->next_wakeup() : std::nullopt;
   if (next && *next <= now()) tell(interaction::Tick{});
 }
 
 std::optional<MissionTime> JointPlay::next_wakeup() const {
-  std::optional<MissionTime> next = play_ ? play_->next_wakeup() : std::nullopt;
-  if (my_.phase != JointPhase::kRunning) return next;
-  if (sharing_again_) next = earliest(next, sharing_again_->at);
-  return places_again_ ? earliest(next, places_again_->at) : next;
+  const std::optional<MissionTime> next = play_ ? play_->next_wakeup() : std::nullopt;
+  return my_.phase == JointPhase::kRunning ? earliest(next, talks_.next_wakeup()) : next;
 }
 
 void JointPlay::tell_of(interaction::JointTaskStatus& status) const {
@@ -205,7 +190,7 @@ void JointPlay::tell_of(interaction::JointTaskStatus& status) const {
     status.active_blocks = play_->active_blocks();
     status.violated = play_->violated();
   }
-  status.left = share_.left();
+  status.left = mapping_.share().left();
 }
 
 // ---- its tasks ----
@@ -215,8 +200,8 @@ void JointPlay::run(const std::string& name) {
   if (host_.stops(my_.joint.task)) return;
   const interaction::Automaton& automaton = play_->automaton();
   const interaction::Componel& componel = automaton[*automaton.find(name)];
-  if (componel.task()->type == kMapArea) return map_area(name);
-  if (componel.task()->type == kFollow) return follow(name);
+  if (componel.task()->type == kMapArea) return mapping_.map(name);
+  if (componel.task()->type == kFollow) return pursuit_.follow(name);
   const Duration done = record_.done(name);
   const Duration wanted = duration_of(*componel.task(), *play_);
   if (is_done(wanted, done)) return tell_status(name, Word::kEnded);
@@ -257,7 +242,7 @@ void JointPlay::leave_if_stuck(const std::string& componel, const std::string& w
 
 void JointPlay::fail(const std::string& componel, const std::string& why) {
   host_.bus().emit(Notice{my_.joint.subject + ": " + componel + ": " + why});
-  following_.erase(componel);
+  pursuit_.stop(componel);
   record_.failed(componel, why);
   tell_status(componel, Word::kAborted);
   leave_if_in_vain(componel, why);
@@ -318,7 +303,7 @@ void JointPlay::carry_out(const interaction::Interrupt& effect) {
     interaction_.aborts().note(id, AbortedFor::kRole);
     return host_.run(executive::Abort{id});
   }
-  following_.erase(effect.task);
+  pursuit_.stop(effect.task);
   tell_status(effect.task, Word::kAborted);
 }
 
@@ -326,7 +311,7 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   const auto found = tasks_.find(event.id);
   if (found == tasks_.end()) return look_changed(event);
   const std::string componel = found->second;
-  if (flew_after(event, componel)) return;
+  if (pursuit_.follows(componel)) return flew_after(event, componel);
   if (event.state == executive::TaskState::kRunning) {
     record_.runs(componel, now());
     return tell_status(componel, Word::kRunning);
@@ -345,7 +330,7 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   const bool has_no_air = event.cause == executive::AbortCause::kNoAir;
   const bool is_last = has_no_air && nothing_is_left_together();
   if (!ended && !asked && !is_last) record_.aborted(componel, event.reason);
-  if (ended && is_mapping(play_->automaton(), componel)) share_.flown();
+  if (ended && is_mapping(play_->automaton(), componel)) mapping_.share().flown();
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);
   if (is_last) return stay_without_air(componel, event.reason);
   // Else it would wait for its partner in a later meeting of the role, and that for it in this one.
@@ -358,12 +343,35 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   if (by_vehicle) leave_if_stuck(componel, event.reason);
 }
 
+void JointPlay::flew_after(const executive::TaskEvent& event, const std::string& componel) {
+  if (!is_terminal(event.state)) return;
+  pursuit_.arrived(componel);
+  tasks_.erase(event.id);
+  const bool asked = interaction_.aborts().take(event.id) == AbortedFor::kRole;
+  if (event.state == executive::TaskState::kEnded && !asked) return;
+  if (!asked) record_.aborted(componel, event.reason);
+  pursuit_.stop(componel);
+  tell_status(componel, Word::kAborted);
+}
+
+// Without its device a flight maps nothing.
+void JointPlay::look_changed(const executive::TaskEvent& event) {
+  const auto look = looks_.find(event.id);
+  if (look == looks_.end() || !is_terminal(event.state)) return;
+  const executive::TaskId flight = look->second;
+  looks_.erase(look);
+  const auto flown = tasks_.find(flight);
+  if (flown == tasks_.end() || event.state == executive::TaskState::kEnded) return;
+  record_.failed(flown->second, event.reason);
+  interaction_.aborts().note(flight, AbortedFor::kNothing);
+  host_.run(executive::Abort{flight});
+}
+
 bool JointPlay::watch() {
   if (!play_) return false;
+  mapping_.see();
+  pursuit_.look();
   const auto own = position_of(sightings_.own()->state.position);
-  share_.fly(sightings_.own()->state.position,
-             passing_distance(host_.config().knowledge->vehicle, host_.world()->wind));
-  look_after_followed();
   for (const interaction::ScmFound& found : play_->watch(own, outlook().observer, now())) {
     host_.bus().emit(ScmNoted{my_.joint.subject, play_->role(), found});
     tell(found.report);
@@ -373,81 +381,15 @@ bool JointPlay::watch() {
 
 // ---- its negotiations ----
 
-void JointPlay::carry_out(const interaction::Negotiate& effect) {
-  const interaction::Automaton& automaton = play_->automaton();
-  const auto& action = *automaton[*automaton.find(effect.action)].action();
-  if (action.modality == kAreaSharing) return share_area(effect.action);
-  if (gives_places(action.modality)) return negotiate_places(effect.action);
-  if (action.modality != "role-allocation") {
-    host_.bus().emit(Notice{my_.joint.subject + ": nobody negotiates '" + action.modality + "'"});
-    return tell_status(effect.action, Word::kAborted);
-  }
-  if (roles_stand_until_ && now() < *roles_stand_until_) {
-    host_.bus().emit(Notice{my_.joint.subject + ": " + effect.action +
-                            ": roles were confirmed a moment ago, and stand"});
-    return tell_status(effect.action, Word::kEnded);
-  }
-  negotiate_roles(effect.action, action.modality);
-}
-
-void JointPlay::negotiate_roles(const std::string& action, const std::string& modality) {
-  interaction::BeginNegotiation begin;
-  begin.subject = my_.joint.subject + "/" + modality;
-  begin.modality = modality;
-  begin.members = my_.parties_of(play_->role(), action, self_);
-  std::map<std::string, int> held;
-  for (const std::string& uav : begin.members) ++held[my_.holders.at(uav)];
-  for (const auto& [role, count] : held) {
-    begin.parameters.push_back({role, "", {double(count), double(count)}});
-  }
-  begin.within = kReallocation;
-  actions_[action] = begin.subject;
-  if (interaction_.begin(my_.joint, std::move(begin))) return;
-  actions_.erase(action);
-  tell_status(action, Word::kAborted);
-}
-
-void JointPlay::carry_out(const interaction::Withdraw& effect) {
-  const auto negotiated = actions_.find(effect.action);
-  if (negotiated != actions_.end()) {
-    interaction_.withdraw(negotiated->second, my_.why.empty() ? "left" : my_.why);
-    actions_.erase(negotiated);
-  }
-  if (sharing_again_ && sharing_again_->action == effect.action) sharing_again_.reset();
-  if (places_again_ && places_again_->action == effect.action) places_again_.reset();
-  tell_status(effect.action, Word::kAborted);
-}
-
 // What is undecided is kept until it is known. Roles that are others now are begun anew.
 void JointPlay::decided(const interaction::Terms& terms,
                         const interaction::NegotiationOutcome& outcome) {
   using Kind = interaction::NegotiationOutcome::Kind;
   if (my_.phase != JointPhase::kRunning || outcome.kind == Kind::kUndecided) return;
-  if (terms.modality == kAreaSharing) return area_shared(terms, outcome);
-  if (gives_places(terms.modality)) return places_agreed(terms, outcome);
-  roles_agreed(terms, outcome);
-}
-
-void JointPlay::roles_agreed(const interaction::Terms& terms,
-                             const interaction::NegotiationOutcome& outcome) {
-  using Kind = interaction::NegotiationOutcome::Kind;
-  Holders agreed = my_.holders;
-  if (outcome.kind == Kind::kAgreed) {
-    for (const interaction::Row& row : outcome.result) agreed[row.name] = row.text;
-  }
-  if (agreed != my_.holders) {
-    my_.holders = std::move(agreed);
-    my_.allocation = to_text(terms.id());
-    next_role_ = my_.holders.at(self_);
-    tell(interaction::Abort{});
-    return task_.announce();
-  }
-  if (outcome.kind == Kind::kAgreed) roles_stand_until_ = now() + kStand;
-  for (const auto& [action, subject] : std::map(actions_)) {
-    if (subject != terms.subject) continue;
-    actions_.erase(action);
-    tell_status(action, outcome.kind == Kind::kAgreed ? Word::kEnded : Word::kAborted);
-  }
+  if (!talks_.decided(terms, outcome)) return;
+  next_role_ = my_.holders.at(self_);
+  tell(interaction::Abort{});
+  task_.announce();
 }
 
 // A role of which a task failed is not done, though its automaton came to its end.

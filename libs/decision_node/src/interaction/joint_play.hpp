@@ -5,59 +5,29 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "interaction/area_share.hpp"
-#include "interaction/joint_host.hpp"
-#include "interaction/places.hpp"
-#include "interaction/role_play.hpp"
+#include "interaction/area_mapping.hpp"
+#include "interaction/pursuit.hpp"
+#include "interaction/role_course.hpp"
 #include "interaction/role_record.hpp"
-#include "interaction/sightings.hpp"
+#include "interaction/role_talks.hpp"
 #include "skein/negotiation/joint_task_status.hpp"
 #include "skein/negotiation/negotiation_manager.hpp"
 
 namespace skein::decision_node {
 
-class Interaction;
-class JointTask;
-
-inline constexpr const char* kAreaSharing = "area-sharing";
-
-/// The holders of the roles of a joint task, and this UAV's phase in it.
-struct Membership {
-  Joint joint;
-  interaction::JointPhase phase = interaction::JointPhase::kLoading;
-  std::string why = {};
-  Holders holders = {};
-  std::string allocation = {};  ///< the session in which the roles were agreed
-
-  /// The parties of a coordination action: `self`, which plays `role`, and all holders of roles
-  /// that share the action, by name.
-  std::vector<std::string> parties_of(const std::string& role, const std::string& action,
-                                      const std::string& self) const;
-};
-
 /// Carries out what a role asks for: tasks, places, negotiations in flight. When another role is
 /// agreed, it begins once the running tasks of the old role are over.
-class JointPlay {
+class JointPlay final : private RoleCourse {
  public:
-  /// References that must outlive the JointPlay.
-  struct Surroundings {
-    JointHost& host;
-    Interaction& interaction;
-    const Sightings& sightings;
-    JointTask& task;
-    Membership& my;
-  };
-  explicit JointPlay(const Surroundings& of);
+  explicit JointPlay(const PlaySurroundings& of);
 
   void begin(const std::string& role);
   bool has_begun() const { return play_.has_value(); }
   bool needs_no_place() const { return play_ && !play_->is_bound(); }
-  /// Queues an input for the role, behind those already queued.
-  void tell(const interaction::Input& input);
+  void tell(const interaction::Input& input) override;
   void leave();
   /// All that are not over; where the role has done what it was for they do not fail it.
   void abort_tasks(bool is_done);
@@ -73,11 +43,11 @@ class JointPlay {
   bool nothing_is_left_together() const;
   void lose(const std::string& uav);
   void partner_has_left(const std::string& uav, const interaction::Rows& rest) {
-    share_.told(uav, rest);
+    mapping_.share().told(uav, rest);
   }
   /// A partner goes on without this UAV, and with what it has of an area.
-  void leave_share_to(const std::string& uav) { share_.leave_to(uav); }
-  Result<interaction::Rows, Failure> offer_of_area() const;
+  void leave_share_to(const std::string& uav) { mapping_.share().leave_to(uav); }
+  Result<interaction::Rows, Failure> offer_of_area() const { return mapping_.offer(); }
   void decided(const interaction::Terms& terms, const interaction::NegotiationOutcome& outcome);
 
   // ---- what happens ----
@@ -91,11 +61,11 @@ class JointPlay {
 
  private:
   MissionTime now() const;
-  Outlook outlook() const;
-  void tell_status(const std::string& componel, interaction::Status::Word word);
-  /// Gives the executive a task of the role; returns its id.
+  RolePlay& play() override { return *play_; }
+  Outlook outlook() const override;
   executive::TaskId give(const std::string& componel, executive::Task task,
-                         std::optional<executive::TaskId> along = {});
+                         std::optional<executive::TaskId> along = {}) override;
+  void fail(const std::string& componel, const std::string& why) override;
   /// A task of the role: to the executive, or over at once.
   void run(const std::string& componel);
   /// Tries a task anew that the vehicle gave up after it `ran`; false: it does not.
@@ -110,35 +80,16 @@ class JointPlay {
     record_.asked_for(effect.task);
     run(effect.task);
   }
-  void carry_out(const interaction::Negotiate& effect);
+  void carry_out(const interaction::Negotiate& effect) { talks_.negotiate(effect.action); }
   void carry_out(const interaction::Interrupt& effect);
-  void carry_out(const interaction::Withdraw& effect);
-  void carry_out(const interaction::Read&) {}
+  void carry_out(const interaction::Withdraw& effect) { talks_.withdraw(effect.action); }
   void carry_out(const interaction::ModelOver& effect);
-  void roles_agreed(const interaction::Terms& terms,
-                    const interaction::NegotiationOutcome& outcome);
   /// After a flight that got no air once all partners had ended: the role is over, or left.
   void stay_without_air(const std::string& componel, const std::string& why);
   /// Leaves the joint task after a task that failed as soon as it began.
   void leave_if_in_vain(const std::string& componel, const std::string& why);
-  void negotiate_roles(const std::string& action, const std::string& modality);
-  // joint_places.cpp
-  void negotiate_places(const std::string& action);
-  void take_place_alone(const interaction::BeginNegotiation& begin);
-  void places_agreed(const interaction::Terms& terms,
-                     const interaction::NegotiationOutcome& outcome);
-  /// Ends a componel whose task cannot be carried out.
-  void fail(const std::string& componel, const std::string& why);
-  // joint_follow.cpp
-  void follow(const std::string& componel);
-  std::optional<std::string> fly_after(const std::string& componel);
-  void look_after_followed();
-  bool flew_after(const executive::TaskEvent& event, const std::string& componel);
-  // joint_sharing.cpp
-  SweepSetting sweep_setting(const std::string& role) const;
-  void share_area(const std::string& action);
-  void area_shared(const interaction::Terms& terms, const interaction::NegotiationOutcome& outcome);
-  void map_area(const std::string& componel);
+  /// A flight after what is followed.
+  void flew_after(const executive::TaskEvent& event, const std::string& componel);
   void look_changed(const executive::TaskEvent& event);
 
   JointHost& host_;
@@ -153,30 +104,11 @@ class JointPlay {
   std::optional<std::string> next_role_;            ///< the role after the current one
   std::map<executive::TaskId, std::string> tasks_;  ///< unfinished tasks to their componels
   RoleRecord record_;
-  std::map<std::string, std::string> actions_;  ///< actions under negotiation, to their subjects
-  /// After the members agreed that all keep their roles, no new role negotiation before this.
-  std::optional<MissionTime> roles_stand_until_;
-  /// A target that is followed, and the place beside it.
-  struct Following {
-    std::string target;
-    interaction::Position side{};     ///< horizontal offset from the target [m]
-    interaction::Position seen_at{};  ///< the target's position at the last flight after it
-    double height = 0;                ///< above the ground [m]
-    bool flies = false;
-  };
-  std::map<std::string, Following> following_;  ///< by componel
-  AreaShare share_;
-  /// A negotiation to be repeated since nothing was agreed.
-  struct Again {
-    std::string action;
-    std::optional<MissionTime> at;  ///< absent: under negotiation
-    MissionTime until;
-    std::string why = {};  ///< nothing was agreed the last time
-    bool is_due(MissionTime now) const { return at && *at <= now; }
-  };
-  std::optional<Again> sharing_again_, places_again_;
   std::map<executive::TaskId, executive::TaskId>
       looks_;  ///< unfinished perceptions to their flights
+  AreaMapping mapping_;
+  Pursuit pursuit_;
+  RoleTalks talks_;
 };
 
 }  // namespace skein::decision_node

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interaction/area_mapping.hpp"
+
+#include "interaction/role_tasks.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+/// Way-points are passed within that [m].
+double passing_distance(const world::VehicleModel& vehicle, const world::Wind& wind) {
+  return 5 + 6 * world::tracking_spread(vehicle) + vehicle.wind_drift * wind.speed;
+}
+
+}  // namespace
+
+AreaMapping::AreaMapping(const PlaySurroundings& of, RoleCourse& course)
+    : host_(of.host),
+      sightings_(of.sightings),
+      my_(of.my),
+      course_(course),
+      share_(of.host.config().uav) {}
+
+SweepSetting AreaMapping::setting(const std::string& role) const {
+  const auto& knowledge = host_.config().knowledge;
+  return {knowledge, host_.world(), host_.bus().now(), sightings_.own()->state,
+          device_of(my_.joint.library->roles.at(role), knowledge->vehicle)};
+}
+
+Result<interaction::Rows, Failure> AreaMapping::offer() const {
+  return share_.offer(setting(my_.holders.at(host_.config().uav)));
+}
+
+void AreaMapping::map(const std::string& componel) {
+  if (!share_.agreed()) return course_.fail(componel, "the area is not shared");
+  const SweepSetting setting = this->setting(course_.play().role());
+  const auto way = share_.set_out(setting);
+  if (!way) return course_.fail(componel, way.error().why);
+  if (way->empty()) return course_.tell_status(componel, interaction::Status::Word::kEnded);
+  const executive::TaskId flight = course_.give(componel, flight_along(*way));
+  course_.give(componel, look_along(flight, setting.device), flight);
+}
+
+void AreaMapping::see() {
+  share_.fly(sightings_.own()->state.position,
+             passing_distance(host_.config().knowledge->vehicle, host_.world()->wind));
+}
+
+}  // namespace skein::decision_node

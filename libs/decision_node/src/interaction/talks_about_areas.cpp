@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Members that share an area agree on who maps what.
+#include "interaction/interaction.hpp"
+#include "interaction/role_talks.hpp"
+#include "interaction/role_tasks.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using Kind = interaction::NegotiationOutcome::Kind;
+using Word = interaction::Status::Word;
+
+// A session. In half of it each reckons the division, beside whatever its computer has to do.
+constexpr Duration kSharing = Duration::milliseconds(120'000);
+constexpr Duration kAgain = Duration::milliseconds(1'000);
+constexpr Duration kPatience = Duration::milliseconds(240'000);  // then it is not shared
+
+// At first the area that the action names, then what is nobody's any more.
+std::vector<world::Polygon> areas_to_share(const AreaShare& share, const RolePlay& play,
+                                           const std::string& action, const world::World& world) {
+  if (share.agreed()) return share.nobodys();
+  const interaction::Automaton& automaton = play.automaton();
+  const config::Value* named = automaton[*automaton.find(action)].action()->in.find("area");
+  const auto zone = named == nullptr ? std::nullopt : zone_of(*named, play.scope(), world);
+  std::vector<world::Polygon> areas;
+  if (zone) areas.push_back(*zone);
+  return areas;
+}
+
+}  // namespace
+
+void RoleTalks::share_area(const std::string& action) {
+  const std::vector<world::Polygon> areas =
+      areas_to_share(share_, course_.play(), action, *host_.world());
+  const MissionTime until = sharing_again_ ? sharing_again_->until : now() + kPatience;
+  const std::string before = sharing_again_ ? sharing_again_->why : "";
+  sharing_again_.reset();
+  interaction::BeginNegotiation begin = session(action, kAreaSharing, kSharing);
+  for (const world::Polygon& area : areas)
+    begin.parameters.push_back(interaction::row_of("area", area));
+  if (begin.members.size() == 1) {
+    share_.take(areas);
+    return course_.tell_status(action, Word::kEnded);
+  }
+  if (now() >= until) return task_.leave("the area could not be shared: " + before);
+  actions_[action] = begin.subject;
+  sharing_again_ = Again{action, std::nullopt, until, before};  // it may fail at once
+  if (interaction_.begin(my_.joint, std::move(begin))) return;
+  sharing_again_.reset();
+  actions_.erase(action);
+  // Nothing was left to whoever was lost, and nobody asks for more.
+  if (areas.empty() && share_.agreed()) return course_.tell_status(action, Word::kEnded);
+  record_.failed(action, "the area cannot be shared");
+  course_.tell_status(action, Word::kAborted);
+}
+
+void RoleTalks::area_shared(const interaction::Terms& terms,
+                            const interaction::NegotiationOutcome& outcome) {
+  const std::optional<std::string> action = action_about(terms.subject);
+  if (outcome.kind == Kind::kAgreed) share_.agree(outcome.result);
+  if (!action) return;
+  if (outcome.kind == Kind::kAgreed) {
+    actions_.erase(*action);
+    sharing_again_.reset();
+    return course_.tell_status(*action, Word::kEnded);
+  }
+  note("the area is not shared yet: " + outcome.why);
+  if (!sharing_again_) return;
+  sharing_again_->at = now() + kAgain;
+  sharing_again_->why = outcome.why;
+}
+
+}  // namespace skein::decision_node
