@@ -116,6 +116,7 @@ class Checker {
     const Channel channel{line.from, line.to};
     if (line.from == kEveryLink) {
       others_are_up_ = line.up;
+      if (!line.up) others_down_since_ = when.at;
     } else if (simulator_dead_) {
       unheard_[channel] = line.up;
     } else {
@@ -230,8 +231,10 @@ class Checker {
       const Duration moment = Duration::seconds(kMoment * static_cast<double>(links)) + *late_;
       const auto carries = [&](const std::string& from, const std::string& to) {
         const auto down = down_since_.find({from, to});
-        if (down != down_since_.end()) return (links == 1 ? at : sent) <= down->second + moment;
-        return others_are_up_ || told_.contains({from, to});
+        const bool is_down = down != down_since_.end();
+        if (!is_down && (others_are_up_ || told_.contains({from, to}))) return true;
+        const MissionTime since = is_down ? down->second : others_down_since_;
+        return (links == 1 ? at : sent) <= since + moment;
       };
       if (has_way(channel.first, channel.second, relays_, links, carries)) return true;
     }
@@ -269,8 +272,9 @@ class Checker {
   std::map<Channel, std::map<std::uint64_t, MissionTime>> sent_;
   std::map<Channel, std::uint64_t> received_, received_long_;
   std::map<Channel, MissionTime> down_since_;
-  std::set<Channel> told_;        ///< links that some line is about
-  bool others_are_up_ = true;     ///< all other links
+  std::set<Channel> told_;     ///< links that some line is about
+  bool others_are_up_ = true;  ///< all other links
+  MissionTime others_down_since_;
   std::set<std::string> relays_;  ///< past whom somebody has told that its samples go
   bool simulator_dead_ = false;
   std::optional<MissionTime> ground_dead_since_;

@@ -128,6 +128,17 @@ TEST(JournalLaws, AMessageDoesNotComePastARelayThatHasNoLinkOrThatNobodyTold) {
   EXPECT_THAT(broken_protocol(untold), ElementsAre(HasSubstr("over a link that is down")));
 }
 
+// Found by random missions over DDS (--anything --deaths 9005): two talked before the simulator's
+// first word, which is of all links that it names none of, had come to them.
+TEST(JournalLaws, BeforeTheFirstWordThatAllOtherLinksAreDownAMessageMayCome) {
+  const auto log = [](double received) {
+    return Log{link_of(0, "*", "*", false), message(0, 1, "sent"),
+               message(received, 1, "received")};
+  };
+  EXPECT_THAT(broken_protocol(log(0)), IsEmpty());
+  EXPECT_THAT(broken_protocol(log(9)), ElementsAre(HasSubstr("over a link that is down")));
+}
+
 struct Breach {
   std::string name;
   Log log;
