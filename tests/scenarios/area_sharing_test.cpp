@@ -95,6 +95,22 @@ TEST(AreaSharing, TwoOfThreeThatLoseEachOtherMapItToTheEndAllTheSame) {
   EXPECT_EQ(mapping.untrue, "");
 }
 
+// The failure of the look had stayed with the role, which aborted once it was through with all.
+TEST(AreaSharing, ALookThatFailsOnceIsBegunAgainAndTheTaskEnds) {
+  scenario::Scenario area = scenario_at("area-sharing/negotiated", with(1));
+  area.faults.aborts.push_back({MissionTime::seconds(500), "heron", "takeshot"});
+
+  const Mission mapping = play(area);
+
+  EXPECT_EQ(mapping.count({{"kind", "task"},
+                           {"uav", "heron"},
+                           {"type", "takeshot"},
+                           {"reason", "aborted by the functional layer"}}),
+            1U);
+  EXPECT_EQ(mapping.count({{"kind", "joint"}, {"phase", "ended"}}), 3U);
+  EXPECT_EQ(mapping.untrue, "");
+}
+
 /// As a zone is written in a scenario.
 std::string text_of(const world::Polygon& polygon) {
   std::ostringstream text;

@@ -330,6 +330,7 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   const bool has_no_air = event.cause == executive::AbortCause::kNoAir;
   const bool is_last = has_no_air && nothing_is_left_together();
   if (!ended && !asked && !is_last) record_.aborted(componel, event.reason);
+  if (ended) record_.ended(componel);
   if (ended && is_mapping(play_->automaton(), componel)) mapping_.share().flown();
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);
   if (is_last) return stay_without_air(componel, event.reason);

@@ -35,6 +35,8 @@ class RoleRecord {
   void aborted(const std::string& componel, const std::string& why) {
     failed_.try_emplace(componel, why);
   }
+  /// The task ended: that one before it failed does not count.
+  void ended(const std::string& componel) { failed_.erase(componel); }
   /// What is begun anew, with all in it, has another chance.
   void forget_failures_in(const std::string& componel, const interaction::Automaton& automaton);
   /// "componel: why" of the first by name; absent: none has failed.

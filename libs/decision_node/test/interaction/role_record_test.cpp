@@ -48,6 +48,16 @@ TEST(RoleRecord, AReasonThatWasKnownBeforeATaskWasAbortedStands) {
   EXPECT_EQ(record.failure(), "a1: no air") << "the first by name";
 }
 
+TEST(RoleRecord, WhatEndsAfterAllHasNotFailed) {
+  RoleRecord record;
+  record.failed("w1", "its camera is broken");
+  record.failed("a1", "no air");
+
+  record.ended("w1");
+
+  EXPECT_EQ(record.failure(), "a1: no air");
+}
+
 TEST(RoleRecord, AnotherRoleHasNoFailuresOrTriesYet) {
   RoleRecord record;
   record.failed("w1", "no way");
