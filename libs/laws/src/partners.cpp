@@ -179,7 +179,8 @@ std::optional<std::string> untrue_silence(const History& history, const Uav& uav
     if (has_said(*speaker, word, at)) return std::nullopt;
     return "'" + speaker->name() + "' never said so";
   }
-  const auto truly = silent_since(history, uav, partner, at);
+  auto truly = silent_since(history, uav, partner, at);
+  if (!truly) truly = silent_since(history, uav, partner, at - kNoticed);
   if (!truly || *truly > since + kNoticed)
     return "'" + partner + "' could be heard " +
            (truly ? "until " + figure(*truly) + " s" : std::string("then"));

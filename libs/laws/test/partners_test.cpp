@@ -134,6 +134,19 @@ TEST(ReasonsLaw, WhoIsGivenUpWasSilentSinceThen) {
               ElementsAre(HasSubstr("until 90.0 s")));
 }
 
+// Found by random missions (--partners --merged 982020): it came back while the plan without it was
+// made.
+TEST(ReasonsLaw, WhoIsGivenUpMayHaveJustComeBack) {
+  const auto back_at = [](double back) {
+    return given_up(" since 52 s")
+        .link(50, "heliv", "marvin", false)
+        .link(back, "heliv", "marvin", true)
+        .broken("reasons");
+  };
+  EXPECT_THAT(back_at(799), IsEmpty());
+  EXPECT_THAT(back_at(790), ElementsAre(HasSubstr("could be heard")));
+}
+
 TEST(ReasonsLaw, WhoIsGivenUpWasSilentForAMinuteAtLeast) {
   EXPECT_THAT(given_up(" since 770 s").fault(768, "kill", "heliv").broken("reasons"),
               ElementsAre(HasSubstr("was silent for 30.0 s only")));
