@@ -89,6 +89,7 @@ void AirHistory::hear(const journal::lines::Air& line, const journal::Written& w
       wait.for_others.insert(one.substr(0, space));
   }
   waits.push_back(std::move(wait));
+  if (line.raised) raised.push_back({when.at.to_seconds(), line.uav});
 }
 
 std::vector<Violation> waits_for_each_other(const History& history) {

@@ -76,6 +76,14 @@ bool waits_for_partners(const Uav& uav, double from, double until) {
   });
 }
 
+// Who is in its way then nobody on board can say beforehand.
+bool flies_over_others(const History& history, const Uav& uav, double from, double until) {
+  const auto& raised = history.air.raised;
+  return std::any_of(raised.begin(), raised.end(), [&](const RaisedFlight& one) {
+    return one.uav == uav.name() && one.at > from && one.at < until;
+  });
+}
+
 // Nobody asked for anything else in between, and no plan was made anew.
 bool undisturbed(const Uav& uav, const Given& given, double until) {
   for (const auto& [id, goal] : uav.goals) {
@@ -122,7 +130,8 @@ std::optional<double> energy_taken(const Uav& uav, const Given& given, const Spa
   return before->energy - after->energy;
 }
 
-void judge(const Uav& uav, const Given& given, std::vector<Violation>& result) {
+void judge(const History& history, const Uav& uav, const Given& given,
+           std::vector<Violation>& result) {
   const Answer& asked = *given.asked;
   const std::string name = "mission " + std::to_string(asked.mission);
   const auto breach = [&](double at, const std::string& sentence) {
@@ -135,7 +144,9 @@ void judge(const Uav& uav, const Given& given, std::vector<Violation>& result) {
                                         (asked.planned ? " not" : ""));
   const auto span = span_of(uav, given);
   if (!asked.planned || !span || !undisturbed(uav, given, span->until)) return;
-  if (waits_for_partners(uav, asked.at, span->until)) return;
+  if (waits_for_partners(uav, asked.at, span->until) ||
+      flies_over_others(history, uav, asked.at, span->until))
+    return;
   const double later = given.answer->at - asked.at + kMoment;
   if (span->until < asked.earliest_end - kMoment || span->until > asked.latest_end + later)
     breach(span->until, " was to end between " + figure(asked.earliest_end) + " and " +
@@ -153,7 +164,8 @@ std::vector<Violation> evaluations_off(const History& history) {
   std::vector<Violation> result;
   if (!is_clean(*history.scenario)) return result;
   for (const auto& [name, uav] : history.uavs) {
-    for (const Given& given : given_after_evaluation(history, uav)) judge(uav, given, result);
+    for (const Given& given : given_after_evaluation(history, uav))
+      judge(history, uav, given, result);
   }
   return result;
 }

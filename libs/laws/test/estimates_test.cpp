@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/journal/lines/deliberation.hpp"
 #include "testing/story.hpp"
 
 namespace skein::laws::testing {
@@ -11,6 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 constexpr const char* kAskedThenGiven = R"(
     - step: ask
@@ -57,6 +59,20 @@ TEST(Evaluated, OneThatWaitsForPartnersMayEndLater) {
   story.goal("marvin", 702, "general-gotoxyz A1", "achieved", 40);
 
   EXPECT_THAT(story.broken("evaluated"), IsEmpty());
+}
+
+// Found by random missions (--merged 983023): it flew 24 m higher over one that held in its way.
+TEST(Evaluated, OneThatIsFlownOverOthersMayTakeMore) {
+  const auto higher_at = [](double at) {
+    return flown(0.1)
+        .line(journal::record_of(
+            MissionTime::seconds(at), "marvin",
+            journal::lines::Air{
+                .uav = "marvin", .task = 100, .type = "goto", .state = "had", .raised = 24.0}))
+        .broken("evaluated");
+  };
+  EXPECT_THAT(higher_at(13), IsEmpty());
+  EXPECT_THAT(higher_at(5), SizeIs(1));
 }
 
 TEST(Evaluated, OneThatTakesTwiceTheEnergyIsTold) {

@@ -25,9 +25,16 @@ struct AirWait {
   std::set<std::string> for_others;
 };
 
+/// At that time [s] it begins a flight higher than it was asked for, over those in its way.
+struct RaisedFlight {
+  double at = 0;
+  std::string uav;
+};
+
 /// In the order of time.
 struct AirHistory {
   std::vector<AirWait> waits;
+  std::vector<RaisedFlight> raised;
 
   /// Takes a record, if it is of this kind. False: it is of this kind and cannot be read.
   bool see(const journal::Record& record);
