@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "skein/world/world_builder.hpp"
+#include "testing/mapping_vehicle.hpp"
 
 namespace skein::decision_node {
 namespace {
@@ -45,20 +46,8 @@ SweepSetting setting_at(const world::Vector3& position, double energy = 1) {
   supervisor::Knowledge knowledge;
   knowledge.uav = "heron";
   knowledge.altitude = 60;
-  world::VehicleModel& vehicle = knowledge.vehicle;
-  vehicle.cruise_speed = 8;
-  vehicle.max_speed = 14;
-  vehicle.climb_rate = vehicle.descent_rate = 3;
-  vehicle.acceleration = 2;
-  vehicle.yaw_rate = 0.8;
-  vehicle.ceiling = 200;
-  vehicle.energy = {6.5e6, 100, 1700, 1500, 400, 0.1};
-  vehicle.sensors.push_back({});
-  vehicle.sensors.back().device = "mapping";
-  vehicle.sensors.back().aperture = std::atan(0.5);
-  vehicle.sensors.back().boresight_pitch = -1.5708;
-  vehicle.sensors.back().range = 200;
-  vehicle.sensors.back().period = Duration::seconds(1);
+  knowledge.vehicle.cruise_speed = 8;
+  testing::make_map(knowledge.vehicle);
   SweepSetting setting{
       std::make_shared<const supervisor::Knowledge>(knowledge),
       std::make_shared<const world::World>(world::build_world(std::move(file)).value()),

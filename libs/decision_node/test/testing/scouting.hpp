@@ -3,7 +3,6 @@
 // parts of a role know. Its course is told, not carried out.
 #pragma once
 
-#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "skein/interaction/read_library.hpp"
 #include "testing/flown_node.hpp"
 #include "testing/joint_host.hpp"
+#include "testing/mapping_vehicle.hpp"
 
 namespace skein::decision_node::testing {
 
@@ -80,20 +80,7 @@ inline Config scouting_config() {
   Config config = stood_in_config("");
   auto knowledge = std::make_shared<supervisor::Knowledge>(*config.knowledge);
   knowledge->altitude = 60;
-  world::VehicleModel& vehicle = knowledge->vehicle;
-  vehicle.max_speed = 14;
-  vehicle.climb_rate = vehicle.descent_rate = 3;
-  vehicle.acceleration = 2;
-  vehicle.yaw_rate = 0.8;
-  vehicle.ceiling = 200;
-  vehicle.energy = {6.5e6, 100, 1700, 1500, 400, 0.1};
-  world::SensorModel camera;
-  camera.device = "mapping";
-  camera.aperture = std::atan(0.5);
-  camera.boresight_pitch = -1.5708;
-  camera.range = 200;
-  camera.period = Duration::seconds(1);
-  vehicle.sensors.push_back(camera);
+  make_map(knowledge->vehicle);
   config.knowledge = knowledge;
   world::WorldFile file = level_ground();
   file.airspace.ceiling = 150;
