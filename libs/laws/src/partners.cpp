@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "checks.hpp"
+#include "skein/laws/healing.hpp"
 #include "statement.hpp"
 
 namespace skein::laws {
@@ -12,6 +13,8 @@ namespace {
 
 /// Until silence is noticed, and what is not agreed is tried again.
 constexpr double kMargin = 25;  // [s]
+/// Until silence is noticed, or whoever is back.
+constexpr double kNoticed = 6;  // [s]
 
 // Of a synchronisation those who send; their names come first.
 std::set<std::string> partners_of(const Uav& uav, const mission::HighLevelTask& task) {
@@ -24,16 +27,34 @@ std::set<std::string> partners_of(const Uav& uav, const mission::HighLevelTask& 
   return partners;
 }
 
+/// That instant, or when the partner died if that was before.
+double alive(const History& history, const std::string& partner, double heard, double at) {
+  if (const auto dead = history.away.find(partner); dead != history.away.end())
+    for (const auto& [from, until] : dead->second)
+      if (from <= at && at <= until) heard = std::min(heard, from);
+  return heard;
+}
+
+std::set<std::string> relays_of(const History& history) {
+  const auto& passing = history.scenario->radio.relays;
+  return {passing.begin(), passing.end()};
+}
+
 /// Since when the partner could not be heard, without a break until `at`; absent: it could be.
 std::optional<double> silent_since(const History& history, const Uav& uav,
                                    const std::string& partner, double at) {
-  const auto& passing = history.scenario->radio.relays;
-  const std::set<std::string> relays(passing.begin(), passing.end());
-  double since = history.joint.last_reached(partner, uav.name(), relays, at);
-  if (const auto dead = history.away.find(partner); dead != history.away.end())
-    for (const auto& [from, until] : dead->second)
-      if (from <= at && at <= until) since = std::min(since, from);
+  const double heard = history.joint.last_reached(partner, uav.name(), relays_of(history), at);
+  const double since = alive(history, partner, heard, at);
   return since < at ? std::optional(since) : std::nullopt;
+}
+
+/// When the partner was last heard for long enough to be noticed, which takes its time past relays.
+double noticed_last(const History& history, const Uav& uav, const std::string& partner, double at) {
+  const double past_relays = HealingLimits().rerouting.to_seconds();
+  const double heard = std::max(
+      history.joint.last_reached(partner, uav.name(), {}, at, kNoticed),
+      history.joint.last_reached(partner, uav.name(), relays_of(history), at, past_relays));
+  return alive(history, partner, heard, at);
 }
 
 bool may_wait(const Execution& one) {
@@ -163,7 +184,6 @@ bool has_said(const Uav& uav, const std::string& what, double until) {
 // "no contact with 'heliv' since 312 s"; what a partner said of that is judged where it said it.
 std::optional<std::string> untrue_silence(const History& history, const Uav& uav,
                                           const std::string& why, double at) {
-  constexpr double kNoticed = 6;    // [s] until silence is noticed, or whoever is back
   constexpr double kShortest = 60;  // [s] of who has a role
   constexpr std::string_view kBegins = "no contact with '", kGoesOn = "' since ";
   const std::size_t begin = why.find(kBegins);
@@ -179,11 +199,10 @@ std::optional<std::string> untrue_silence(const History& history, const Uav& uav
     if (has_said(*speaker, word, at)) return std::nullopt;
     return "'" + speaker->name() + "' never said so";
   }
-  auto truly = silent_since(history, uav, partner, at);
-  if (!truly) truly = silent_since(history, uav, partner, at - kNoticed);
-  if (!truly || *truly > since + kNoticed)
+  const double heard = noticed_last(history, uav, partner, at);
+  if (heard > since + kNoticed)
     return "'" + partner + "' could be heard " +
-           (truly ? "until " + figure(*truly) + " s" : std::string("then"));
+           (heard < at ? "until " + figure(heard) + " s" : std::string("then"));
   if (at - since < kShortest - kNoticed)
     return "'" + partner + "' was silent for " + figure(at - since) + " s only";
   return std::nullopt;

@@ -147,6 +147,23 @@ TEST(ReasonsLaw, WhoIsGivenUpMayHaveJustComeBack) {
   EXPECT_THAT(back_at(790), ElementsAre(HasSubstr("could be heard")));
 }
 
+// Found by random missions (--anything --minds 983012): the way past a relay was whole for 8 s, on
+// a narrow radio.
+TEST(ReasonsLaw, WhoIsGivenUpMayHaveBeenInReachForAMomentOnly) {
+  const auto whole_for = [](double seconds, bool past_a_relay) {
+    Story story = given_up(" since 52 s");
+    story.relay("karma").link(0, "heliv", "karma", false).link(50, "heliv", "marvin", false);
+    const std::string ear = past_a_relay ? "karma" : "marvin";
+    return story.link(300, "heliv", ear, true)
+        .link(300 + seconds, "heliv", ear, false)
+        .broken("reasons");
+  };
+  EXPECT_THAT(whole_for(15, true), IsEmpty());
+  EXPECT_THAT(whole_for(25, true), ElementsAre(HasSubstr("could be heard until 325.0 s")));
+  EXPECT_THAT(whole_for(3, false), IsEmpty());
+  EXPECT_THAT(whole_for(15, false), ElementsAre(HasSubstr("could be heard until 315.0 s")));
+}
+
 TEST(ReasonsLaw, WhoIsGivenUpWasSilentForAMinuteAtLeast) {
   EXPECT_THAT(given_up(" since 770 s").fault(768, "kill", "heliv").broken("reasons"),
               ElementsAre(HasSubstr("was silent for 30.0 s only")));

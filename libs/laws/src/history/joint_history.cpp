@@ -50,20 +50,30 @@ bool JointHistory::cut_off(const std::string& a, const std::string& b, double fr
 }
 
 double JointHistory::last_reached(const std::string& from, const std::string& to,
-                                  const std::set<std::string>& relays, double at) const {
+                                  const std::set<std::string>& relays, double at,
+                                  double shortest) const {
   std::map<std::pair<std::string, std::string>, bool> told;
   bool others_are_up = true;
   const Carries carries = [&](const std::string& a, const std::string& b) {
     const auto link = told.find({a, b});
     return link == told.end() ? others_are_up : link->second;
   };
-  double last = at;
+  double last = 0;
+  std::optional<double> since = 0;  // when it became so that messages pass
+  const auto passed_until = [&](double end) {
+    if (since && end - *since >= shortest) last = end;
+  };
   for (const LinkTold& one : links) {
     if (one.at > at) break;
     (one.from == kEveryLink ? others_are_up : told[{one.from, one.to}]) = one.up;
-    const bool reached = has_way(from, to, relays, relays.size() + 1, carries);
-    last = reached ? at : std::min(last, one.at);
+    if (!has_way(from, to, relays, relays.size() + 1, carries)) {
+      passed_until(one.at);
+      since.reset();
+    } else if (!since) {
+      since = one.at;
+    }
   }
+  passed_until(at);
   return last;
 }
 

@@ -99,9 +99,9 @@ struct JointHistory {
   /// Whether the radio between a and b was down, in one direction at least, for all of that time.
   bool cut_off(const std::string& a, const std::string& b, double from, double until) const;
   /// The last instant until `at` at which messages could pass from `from` to `to`, directly or past
-  /// relays; 0: never.
+  /// relays, and could so for `shortest` [s] at least; 0: never.
   double last_reached(const std::string& from, const std::string& to,
-                      const std::set<std::string>& relays, double at) const;
+                      const std::set<std::string>& relays, double at, double shortest = 0) const;
   /// Whether the link from `from` to `to` was up for all of that time.
   bool up(const std::string& from, const std::string& to, double since, double until) const;
   /// For how much of that time the link from `from` to `to` was up [s].
