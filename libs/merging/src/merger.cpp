@@ -9,28 +9,19 @@
 
 namespace skein::merging {
 
-namespace {
-
-constexpr Duration kClocksApart = Duration::milliseconds(1'000);  ///< of two members, at the most
-
-}  // namespace
-
-Merger::Merger(std::vector<std::string> members, const std::string& self, Limits limits,
+Merger::Merger(const std::vector<std::string>& members, const std::string& self, Limits limits,
                const std::string& witness)
-    : members_(std::move(members)), self_(self), limits_(limits) {
-  const auto at = std::find(members_.begin(), members_.end(), self_);
-  SKEIN_EXPECTS(at != members_.end());
-  place_ = static_cast<std::size_t>(at - members_.begin());
-  for (std::size_t i = 0; i < members_.size(); ++i) {
-    if (i != place_) peers_[members_[i]].earlier = i < place_;
-  }
-  SKEIN_EXPECTS(std::find(members_.begin(), members_.end(), witness) == members_.end());
+    : self_(self),
+      limits_(limits),
+      peers_(members, self, !witness.empty()),
+      former_life_(!witness.empty()) {
+  SKEIN_EXPECTS(!is_among(members, witness));
   if (!witness.empty()) third_ = Third{witness, true, 0, false, {}};
 }
 
 Effects Merger::handle(const Input& input, MissionTime now) {
   now_ = now;
-  if (!begun_) begun_ = now;
+  former_life_.lives(now);
   out_.clear();
   std::visit([this](const auto& one) { on(one); }, input);
   advance();
@@ -44,7 +35,7 @@ Effects Merger::handle(const Input& input, MissionTime now) {
 std::optional<MissionTime> Merger::next_wakeup() const {
   std::optional<MissionTime> next;
   for (const auto& [name, peer] : peers_)
-    if (peer.reachable && !peer.told.arrived) next = earliest(next, peer.told.again.due());
+    if (peer.reachable) next = earliest(next, peer.exchange.due());
   if (request_ != 0) return earliest(next, std::min(deadline_, asked_.due()));
   if (third_ && third_->reachable) next = earliest(next, standby_.due());
   if (!waits()) return next;
@@ -57,7 +48,7 @@ std::optional<MissionTime> Merger::next_wakeup() const {
 // ---- what comes in ----
 
 void Merger::on(const FirstLife&) {
-  first_life_ = true;
+  former_life_.was_none();
   for (auto& [name, peer] : peers_) peer.known = true;
 }
 
@@ -85,18 +76,16 @@ void Merger::on(const Heard& heard) {
   if (by_witness != !heard.message.of.empty()) return;
   const std::string& whose = by_witness ? heard.message.of : heard.from;
   const auto found = peers_.find(whose);
-  if (found == peers_.end()) return;
-  Peer& peer = found->second;
   const Message& message = heard.message;
-  if (message.number <= peer.number) return;
-  if (!by_witness) peer.told.arrived = message.known == peer.told.version;
-  const bool is_new = !peer.heard;
-  if (!peer.take(message)) return tell(whose, false);  // by which it hears that
-  if (peer.claim.wanted.empty())
+  if (found == nullptr || found->exchange.is_old(message)) return;
+  Peer& peer = *found;
+  const bool is_new = !peer.exchange.has_heard();
+  if (!peer.exchange.hear(message)) return tell(whose, false);  // by which it hears that
+  if (peer.claim().wanted.empty())
     peer.wants_since.reset();
   else if (!peer.wants_since)
     peer.wants_since = now_;
-  const bool answers = needs(peer) && request_ != 0 && message.answered == request_;
+  const bool answers = peer.needed && request_ != 0 && message.answered == request_;
   peer.known = peer.known || answers;
   if (answers && message.granted) peer.agreed = true;
   if (answers && !message.granted) close(limits_.again);
@@ -105,25 +94,15 @@ void Merger::on(const Heard& heard) {
   if (is_new || message.asks || is_said_again) tell(whose, false);
 }
 
-bool Merger::Peer::take(const Message& message) {
-  if (message.brief && message.version != version) return false;
-  number = message.number;
-  heard = true;
-  if (message.brief) return true;
-  claim = message.claim;
-  version = message.version;
-  return true;
-}
-
 /// Between this and a later one: yes to what this one neither has nor asks for; to an earlier one,
 /// where there is a witness, to what it does not have, and what this one asks for it gives up. Said
 /// once for each request, since who is refused gives the request up.
 void Merger::answer(Peer& peer) {
-  const std::uint64_t request = peer.claim.request;
+  const std::uint64_t request = peer.claim().request;
   if ((peer.earlier && !third_) || request == 0 || request == peer.answered) return;
-  if (may_have_been_promised(request)) return;
-  const bool has = keeps_from(held_, peer.claim.wanted, peer.claim.held);
-  const bool asks = request_ != 0 && overlap(choices_[choice_], peer.claim.wanted);
+  if (former_life_.may_have_granted(request)) return;
+  const bool has = keeps_from(held_, peer.claim().wanted, peer.claim().held);
+  const bool asks = request_ != 0 && overlap(choices_[choice_], peer.claim().wanted);
   peer.answered = request;
   peer.granted = !has && (!asks || peer.earlier);
   if (peer.granted && asks) close(limits_.again);
@@ -136,13 +115,13 @@ void Merger::on(const InReach& reach) {
     if (back) changed_ = true;
     return;
   }
-  const auto found = peers_.find(reach.peer);
-  if (found == peers_.end()) return;
-  const bool back = reach.reachable && !found->second.reachable;
-  const bool lost = !reach.reachable && found->second.reachable;
-  found->second.reachable = reach.reachable;
-  if (third_ && lost && is_among(awaited(), reach.peer)) changed_ = true;
-  if (back || (reach.reachable && !found->second.heard)) tell(reach.peer, true);
+  Peer* peer = peers_.find(reach.peer);
+  if (peer == nullptr) return;
+  const bool back = reach.reachable && !peer->reachable;
+  const bool lost = !reach.reachable && peer->reachable;
+  peer->reachable = reach.reachable;
+  if (third_ && lost && is_among(told_.to_leave(), reach.peer)) changed_ = true;
+  if (back || (reach.reachable && !peer->exchange.has_heard())) tell(reach.peer, true);
 }
 
 void Merger::on(const Want& want) {
@@ -161,7 +140,7 @@ void Merger::on(const Withdraw&) {
   if (waits() || !afterwards_.empty()) changed_ = true;
   choices_.clear();
   afterwards_.clear();
-  told_.clear();
+  told_.whys.clear();
   wants_since_.reset();
   circle_since_.reset();
 }
@@ -181,23 +160,23 @@ void Merger::on(const Need& need) {
 // ---- what it wants ----
 
 bool Merger::has(const Peer& peer, const Volumes& volumes) const {
-  if (keeps_from(peer.claim.held, volumes, held_)) return true;
-  if (peer.claim.request == 0) return false;
+  if (keeps_from(peer.claim().held, volumes, held_)) return true;
+  if (peer.claim().request == 0) return false;
   const bool granted =
-      (!peer.earlier || third_) && peer.granted && peer.answered == peer.claim.request;
-  const bool may_have = granted || may_have_been_promised(peer.claim.request);
-  return may_have && overlap(volumes, peer.claim.wanted);
+      (!peer.earlier || third_) && peer.granted && peer.answered == peer.claim().request;
+  const bool may_have = granted || former_life_.may_have_granted(peer.claim().request);
+  return may_have && overlap(volumes, peer.claim().wanted);
 }
 
 /// With a witness, what one out of reach asked for is had if it was granted, and else refused.
 bool Merger::asks_for(const Peer& peer, const Volumes& volumes) const {
   if (third_ && !peer.reachable) return false;
-  return peer.earlier && peer.claim.request != 0 && overlap(volumes, peer.claim.wanted);
+  return peer.earlier && peer.claim().request != 0 && overlap(volumes, peer.claim().wanted);
 }
 
 /// One of the two others can be asked whether this one may have air between it and the peer.
 bool Merger::may_agree(const Peer& peer) const {
-  if (!third_) return peer.heard && (!peer.earlier || peer.reachable);
+  if (!third_) return peer.exchange.has_heard() && (!peer.earlier || peer.reachable);
   return peer.reachable || (third_->reachable && peer.known);
 }
 
@@ -206,54 +185,16 @@ bool Merger::can_ask() const {
                      [&](const auto& one) { return may_agree(one.second); });
 }
 
-/// In a life before this: requests have the time at which they were opened.
-bool Merger::may_have_been_promised(std::uint64_t request) const {
-  return third_ && !first_life_ && request < Rising::least(*begun_ + kClocksApart);
-}
-
-/// Of two that press, it has waited longer; where that is not clear to both, the earlier has.
 bool Merger::waits_longer(const Peer& peer) const {
-  if (!limits_.presses(peer.wants_since, now_)) return false;
-  if (!limits_.presses(wants_since_, now_)) return true;
-  if (*peer.wants_since + limits_.clearly < *wants_since_) return true;
-  return peer.earlier && *peer.wants_since <= *wants_since_ + limits_.clearly;
+  return limits_.longer(peer.wants_since, peer.earlier, wants_since_, now_);
 }
 
 /// It would stay where one wants to go that has waited long, and for somebody to leave: who waits
 /// for one out of reach gains nothing by it.
 bool Merger::yields_to(const Peer& peer, const Volumes& volumes) const {
-  const bool gains = !peer.claim.waits_for.empty() || peer.claim.request != 0;
+  const bool gains = !peer.claim().waits_for.empty() || peer.claim().request != 0;
   return !leaves_ && !volumes.empty() && peer.reachable && gains && waits_longer(peer) &&
-         overlap({volumes.back()}, peer.claim.wanted);
-}
-
-Volumes Merger::others() const {
-  Volumes all;
-  for (const auto& [name, peer] : peers_) {
-    all.insert(all.end(), peer.claim.held.begin(), peer.claim.held.end());
-    all.insert(all.end(), peer.claim.wanted.begin(), peer.claim.wanted.end());
-  }
-  return all;
-}
-
-Volumes Merger::taken(const std::vector<std::string>& wanting) const {
-  Volumes all;
-  for (const auto& [name, peer] : peers_) {
-    all.insert(all.end(), peer.claim.held.begin(), peer.claim.held.end());
-    if (peer.claim.request != 0 || is_among(wanting, name))
-      all.insert(all.end(), peer.claim.wanted.begin(), peer.claim.wanted.end());
-  }
-  return all;
-}
-
-Volumes Merger::ends() const {
-  Volumes all;
-  for (const auto& [name, peer] : peers_) {
-    const bool stays = peer.claim.wanted.empty() || !peer.reachable;
-    const Volumes& last = stays ? peer.claim.held : peer.claim.wanted;
-    if (!last.empty()) all.push_back(last.back());
-  }
-  return all;
+         overlap({volumes.back()}, peer.claim().wanted);
 }
 
 void Merger::advance() {
@@ -261,7 +202,7 @@ void Merger::advance() {
   if (request_ != 0) {
     const bool all = std::all_of(peers_.begin(), peers_.end(), [&](const auto& one) {
       const Peer& peer = one.second;
-      return !needs(peer) || peer.agreed || (third_ && third_->agreed && peer.known);
+      return !peer.needed || peer.agreed || (third_ && third_->agreed && peer.known);
     });
     if (all) return grant();
     if (now_ < deadline_) return;
@@ -301,7 +242,7 @@ bool Merger::ask() {
   }
   if (choice_ == choices_.size()) return false;
   if (std::none_of(peers_.begin(), peers_.end(),
-                   [&](const auto& one) { return needs(one.second); })) {
+                   [&](const auto& one) { return one.second.needed; })) {
     grant();
     return true;
   }
@@ -326,7 +267,7 @@ void Merger::grant() {
   held_.insert(held_.end(), volumes.begin(), volumes.end());
   request_ = 0;
   choices_.clear();
-  told_.clear();
+  told_.whys.clear();
   if (afterwards_.empty()) wants_since_.reset();
   circle_since_.reset();
   changed_ = true;
@@ -344,24 +285,20 @@ Claim Merger::claim() const {
 }
 
 void Merger::tell(const std::string& name, bool asks) {
-  Peer& peer = peers_.at(name);
+  Peer& peer = *peers_.find(name);
   if (!peer.reachable) return;
-  Message message{numbers_.next(now_), claim(), peer.answered, peer.granted, asks};
-  if (peer.told.version == 0 || peer.told.claim != message.claim)
-    peer.told = {message.claim, message.number, false, {now_, limits_.beat}};
-  peer.told.again.last = now_;
-  message.version = peer.told.version;
-  message.known = peer.version;
-  message.brief = peer.told.arrived;
-  if (message.brief) message.claim = {};
+  Message message = peer.exchange.tell(claim(), numbers_.next(now_), now_, limits_.beat);
+  message.answered = peer.answered;
+  message.granted = peer.granted;
+  message.asks = asks;
   out_.push_back(Tell{name, std::move(message)});
 }
 
 /// It waits for one out of reach to leave, who may have told the witness since that it has left.
 bool Merger::follows() const {
-  const auto names = awaited();
+  const auto names = told_.to_leave();
   return std::any_of(names.begin(), names.end(),
-                     [&](const auto& name) { return !peers_.at(name).reachable; });
+                     [&](const auto& name) { return !peers_.find(name)->reachable; });
 }
 
 /// One request at a time: what is asked for now, or else what is to be kept.
@@ -391,27 +328,22 @@ void Merger::tell_all() {
   for (const auto& [name, peer] : peers_) tell(name, false);
 }
 
-/// What is not known to have arrived, ever more rarely: perhaps the channel carries no more. Whom
-/// this one waits for may have changed by what others said.
+/// Whom this one waits for may have changed by what others said.
 void Merger::tell_again() {
   const Claim current = claim();
   for (auto& [name, peer] : peers_) {
-    Told& told = peer.told;
     if (!peer.reachable) continue;
-    if (told.claim != current) {
-      told.arrived = false;
-      told.again.pause = limits_.beat;
-    }
-    if (told.arrived || !told.again.is_due(now_)) continue;
+    peer.exchange.claims(current, limits_.beat);
+    if (!peer.exchange.is_due(now_)) continue;
     tell(name, false);
-    told.again.repeated(now_, limits_.pause);
+    peer.exchange.told_again(now_, limits_.pause);
   }
 }
 
 void Merger::ask_again() {
   asked_.repeated(now_, limits_.patience);
   for (const auto& [name, peer] : peers_) {
-    if (needs(peer) && !peer.agreed) tell(name, true);
+    if (peer.needed && !peer.agreed) tell(name, true);
   }
   if (third_ && !third_->agreed) tell_witness(true);
 }

@@ -24,34 +24,37 @@ std::string_view to_text(Awaited what) {
   return "?";
 }
 
-std::vector<std::string> Merger::awaited() const {
+std::vector<std::string> Waits::to_leave() const {
   std::vector<std::string> names;
-  for (const Waits::Why& why : told_)
+  for (const Why& why : whys)
     if (why.what == Awaited::kToLeave) names.push_back(why.peer);
   return names;
 }
 
-std::vector<std::string> Merger::in_its_way() const {
+std::vector<std::string> Waits::in_its_way() const {
   std::vector<std::string> names;
-  for (const Waits::Why& why : told_)
+  for (const Why& why : whys)
     if (why.what == Awaited::kToLeave || why.what == Awaited::kToGoFirst) names.push_back(why.peer);
   return names;
+}
+
+bool Limits::longer(const std::optional<MissionTime>& since, bool is_earlier,
+                    const std::optional<MissionTime>& other, MissionTime now) const {
+  if (!presses(since, now)) return false;
+  if (!presses(other, now)) return true;
+  if (*since + clearly < *other) return true;
+  return is_earlier && *since <= *other + clearly;
 }
 
 std::vector<Merger::Waiter> Merger::waiters() const {
   std::vector<Waiter> all;
   for (const auto& [name, peer] : peers_) {
-    const std::vector<std::string>& for_whom = peer.claim.waits_for;
+    const std::vector<std::string>& for_whom = peer.claim().waits_for;
     if (!is_among(for_whom, self_)) continue;
-    if (!overlap(held_, peer.claim.wanted)) continue;
-    all.push_back({name, overlap({held_.back()}, peer.claim.wanted), waits_longer(peer)});
+    if (!overlap(held_, peer.claim().wanted)) continue;
+    all.push_back({name, overlap({held_.back()}, peer.claim().wanted), waits_longer(peer)});
   }
   return all;
-}
-
-bool Merger::flies(const std::string& peer) const {
-  const auto known = peers_.find(peer);
-  return known != peers_.end() && known->second.reachable && known->second.claim.held.size() > 1;
 }
 
 std::vector<Waits::Why> Merger::whys() const {
@@ -60,7 +63,7 @@ std::vector<Waits::Why> Merger::whys() const {
   for (const auto& [name, peer] : peers_) {
     if (has(peer, first)) {
       result.push_back({name, Awaited::kToLeave});
-    } else if (!may_agree(peer) || (third_ && !peer.heard && peer.reachable)) {
+    } else if (!may_agree(peer) || (third_ && !peer.exchange.has_heard() && peer.reachable)) {
       result.push_back({name, peer.reachable ? Awaited::kToTell : Awaited::kToComeIntoReach});
     } else if (third_ && !peer.reachable && is_among(third_->refusers, name)) {
       result.push_back({name, Awaited::kToLeave});
@@ -75,16 +78,16 @@ std::vector<Waits::Why> Merger::whys() const {
 
 void Merger::say_waits() {
   const std::vector<Waits::Why> now = whys();
-  if (now == told_ || now.empty()) return;
-  told_ = now;
+  if (now == told_.whys || now.empty()) return;
+  told_.whys = now;
   changed_ = true;
-  out_.push_back(Waits{now});
+  out_.push_back(told_);
 }
 
 /// Whoever finds no place aside still waits for what it wants afterwards: the next of the circle
 /// sees that it stands.
 std::vector<std::string> Merger::waits_for() const {
-  std::vector<std::string> names = in_its_way();
+  std::vector<std::string> names = told_.in_its_way();
   for (const auto& [name, peer] : peers_) {
     const bool stands = has(peer, afterwards_) || yields_to(peer, afterwards_);
     if (stands && !is_among(names, name)) names.push_back(name);
@@ -96,21 +99,20 @@ std::vector<std::string> Merger::waits_for() const {
 /// others the last of the roster first.
 void Merger::look_for_circle() {
   const Names found = circle_from(self_, waits_for(), [this](const std::string& name) {
-    const auto peer = peers_.find(name);
-    return peer == peers_.end() ? nullptr : &peer->second.claim.waits_for;
+    const Peer* peer = peers_.find(name);
+    return peer == nullptr ? nullptr : &peer->claim().waits_for;
   });
   if (found.empty()) return circle_since_.reset();
   if (!circle_since_) circle_since_ = now_;
   std::int64_t before = 0;
   bool all_hear = true;
   for (const std::string& one : found) {
-    const auto peer = peers_.find(one);
-    if (peer == peers_.end()) continue;
-    const Peer& other = peer->second;
+    const Peer* peer = peers_.find(one);
+    if (peer == nullptr) continue;
     const bool press =
-        limits_.presses(other.wants_since, now_) || limits_.presses(wants_since_, now_);
-    if (press ? !waits_longer(other) : !other.earlier) ++before;
-    all_hear = all_hear && other.reachable;
+        limits_.presses(peer->wants_since, now_) || limits_.presses(wants_since_, now_);
+    if (press ? !waits_longer(*peer) : !peer->earlier) ++before;
+    all_hear = all_hear && peer->reachable;
   }
   const Duration patience = limits_.circle + Duration::nanoseconds(before * limits_.next.count());
   if (now_ < *circle_since_ + patience || now_ < moved_aside_) return;

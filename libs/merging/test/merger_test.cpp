@@ -67,9 +67,9 @@ TEST(Merger, WhoWaitsForWhomToLeaveIsKnownToBoth) {
   net.wants(kC, {{stretch(110, 115)}});
   net.run_for(2);
 
-  EXPECT_THAT(net.member(kB).awaited(), ElementsAre(kA));
-  EXPECT_THAT(net.member(kC).awaited(), ElementsAre(kA));
-  EXPECT_THAT(net.member(kA).awaited(), IsEmpty());
+  EXPECT_THAT(net.member(kB).awaited().to_leave(), ElementsAre(kA));
+  EXPECT_THAT(net.member(kC).awaited().to_leave(), ElementsAre(kA));
+  EXPECT_THAT(net.member(kA).awaited().to_leave(), IsEmpty());
   const auto waiters = net.member(kA).waiters();
   ASSERT_EQ(waiters.size(), 2U);
   EXPECT_EQ(waiters[0].peer, kB);
@@ -397,7 +397,7 @@ TEST(Merger, AirIsToldOnceToWhoSaysThatItKnowsIt) {
 
   net.give(kA, Hold{{place(50), place(100)}});
   net.run_for(60);
-  EXPECT_EQ(net.member(kB).others(), (Volumes{place(50), place(100)}));
+  EXPECT_EQ(net.member(kB).peers().others(), (Volumes{place(50), place(100)}));
   EXPECT_EQ(net.messages(), messages + 2);
   EXPECT_EQ(net.volumes(), volumes + 2);
 }
@@ -414,8 +414,8 @@ TEST(Merger, WhatIsNotKnownToHaveArrivedIsSaidAgainEverMoreRarely) {
 
   net.set_radio({});
   net.run_for(8.1);
-  EXPECT_EQ(net.member(kB).others(), (Volumes{place(50)}));
-  EXPECT_EQ(net.member(kC).others(), (Volumes{place(50)}));
+  EXPECT_EQ(net.member(kB).peers().others(), (Volumes{place(50)}));
+  EXPECT_EQ(net.member(kC).peers().others(), (Volumes{place(50)}));
 }
 
 TEST(Merger, WhoWaitsSaysSoOnce) {
@@ -453,7 +453,7 @@ TEST(Merger, AirIsToldAgainToOneThatForgot) {
   net.forget(kB);
   net.run_for(0.5);
 
-  EXPECT_EQ(net.member(kB).others(), (Volumes{place(0)}));
+  EXPECT_EQ(net.member(kB).peers().others(), (Volumes{place(0)}));
 }
 
 // The radio: each message is lost, repeated, late, or passed by a later one.
@@ -478,7 +478,7 @@ RC_GTEST_PROP(MergerProperty, EachKnowsOfEachWhatItHoldsOnceTheRadioWorks, ()) {
     for (const std::string& other : {kA, kB, kC})
       if (other != one)
         held.insert(held.end(), net.member(other).held().begin(), net.member(other).held().end());
-    RC_ASSERT(net.member(one).others() == held);
+    RC_ASSERT(net.member(one).peers().others() == held);
   }
 }
 

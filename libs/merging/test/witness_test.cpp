@@ -191,7 +191,7 @@ TEST(Witness, WhereItWentInsteadIsKnownToWhoWaitedForIt) {
   trio.give(kAnna, Hold{{street(200, 300)}});
   trio.run_for(1);
   ASSERT_EQ(trio.granted(kBert), 1);
-  EXPECT_EQ(trio.member(kBert).others(), (Volumes{street(200, 300)}));
+  EXPECT_EQ(trio.member(kBert).peers().others(), (Volumes{street(200, 300)}));
 }
 
 TEST(Witness, TheWordOfAnotherIsTakenFromTheWitnessAlone) {

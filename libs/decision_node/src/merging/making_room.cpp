@@ -90,7 +90,7 @@ bool is_in_the_way(const merging::Merger& merger, bool somewhere) {
 
 /// Those who wait for it to leave want air down to the ground where it stays.
 bool is_over_a_pad(const merging::Merger& merger, const world::Terrain& terrain) {
-  const merging::Volumes others = merger.others();
+  const merging::Volumes others = merger.peers().others();
   return !merger.waiters().empty() &&
          std::any_of(others.begin(), others.end(), [&](const merging::Volume& one) {
            return one.from == one.to && one.floor < terrain.elevation(one.from.x(), one.from.y()) &&
@@ -143,6 +143,15 @@ bool leads_on(const Airway& aside, const functional::Request& request, const wor
   return !on.empty() && !overlap(on.front().air, ends);
 }
 
+/// The vehicle is stopped in a wait for orders. False: it has none.
+bool leave_wait(Core& core, LeftWait& left) {
+  const auto wait = wait_for_orders(core);
+  if (!wait) return false;
+  if (!left.is(*wait)) core.vehicle().interrupt(*wait);
+  left.leave(*wait);
+  return true;
+}
+
 /// Those that lead on come first, or are all.
 template <class Leads>
 Airways ordered(Airways aside, bool only_leading, const Leads& leads) {
@@ -165,28 +174,19 @@ void Merging::look_for_room() {
   if (now < *room_since_ + kMakesRoom) return;
   const std::vector<executive::TaskStatus> waits = safe_waits(core_);
   if (std::any_of(waits.begin(), waits.end(), is_aborting)) return;
-  Airways aside = places_aside(merger_->others());
+  const merging::Volumes others = merger_->peers().others();
+  Airways aside = ways_aside(own_ids_.take(), others, *core_.config().merging, situation());
   if (!aside.empty() && !waits.empty()) {  // once they have ended, there is room to be made
     for (const executive::TaskStatus& one : waits) core_.execution().run(executive::Abort{one.id});
     return;
   }
-  if (!aside.empty() && leave_wait()) return;
+  if (!aside.empty() && leave_wait(core_, left_wait_)) return;
   room_since_ = now;
   if (aside.empty()) return;
   waiting_ = waiting_since(now, aside.front().request);
   waiting_->aside_since = now;
   waiting_->makes_room = true;
   want(std::move(aside));
-}
-
-/// A wait for orders goes on at its executive, and not on the vehicle, which holds all the same
-/// where it gets out of the way. False: the vehicle has none.
-bool Merging::leave_wait() {
-  const auto wait = wait_for_orders(core_);
-  if (!wait) return false;
-  if (left_wait_ != wait) core_.vehicle().interrupt(*wait);
-  left_wait_ = wait;
-  return true;
 }
 
 /// It waits itself, for somebody who is in no circle with it: it gets out of the way as if there
@@ -211,28 +211,25 @@ void Merging::carry_out(const merging::MoveAside& move) {
   if (!waiting_ || waiting_->airways.empty() || !vehicle_.stays()) return;
   const bool again = waiting_->aside_since.has_value();
   const world::Vector3 place = place_.value_or(vehicle_.place());
-  const merging::Volumes ends = merger_->ends();
+  const merging::Volumes ends = merger_->peers().ends();
+  const auto places = [&](const merging::Volumes& taken, const std::vector<double>& heights) {
+    return ways_aside(own_ids_.take(), taken, *core_.config().merging, situation(), heights);
+  };
   const auto leads = [&](const Airway& one) {
     return leads_on(one, waiting_->request, place, ends, *core_.config().merging, situation());
   };
-  Airways aside = ordered(places_aside(merger_->others()), move.for_itself, leads);
+  Airways aside = ordered(places(merger_->peers().others(), {0}), move.for_itself, leads);
   if (again || aside.empty()) {
     std::vector<std::string> in_need = move.circle;
     for (const merging::Merger::Waiter& one : merger_->waiters()) in_need.push_back(one.peer);
     Airways more =
-        ordered(places_aside(merger_->taken(in_need), {0, 24, 48}), move.for_itself, leads);
+        ordered(places(merger_->peers().taken(in_need), {0, 24, 48}), move.for_itself, leads);
     std::move(more.begin(), more.end(), std::back_inserter(aside));
   }
   if (aside.empty()) return;
   if (!again) waiting_->own_air = waiting_->airways.front().air;
   waiting_->aside_since = core_.bus().now();
   want(std::move(aside), waiting_->own_air);
-}
-
-Airways Merging::places_aside(const merging::Volumes& taken, const std::vector<double>& heights) {
-  Airways aside = ways_aside(aside_, taken, *core_.config().merging, situation(), heights);
-  aside_ = functional::TaskId(aside_.value() + 1);
-  return aside;
 }
 
 std::optional<world::Vector3> Merging::way_home_begins() const {
@@ -245,7 +242,7 @@ std::optional<world::Vector3> Merging::way_home_begins() const {
 
 std::function<bool(const world::Vector3&)> Merging::free_to_stay() const {
   if (!merger_) return {};
-  return [ends = merger_->ends(), margins = margins_](const world::Vector3& place) {
+  return [ends = merger_->peers().ends(), margins = margins_](const world::Vector3& place) {
     merging::Volume air = stay_at(place, margins);
     air.radius = margins.way;
     return !overlap({air}, ends);

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "core.hpp"
+#include "merging/air_orders.hpp"
 #include "role_ids.hpp"
 #include "skein/elementary/parameter_reader.hpp"
 #include "skein/foundation/joined.hpp"
-#include "skein/foundation/rising.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/mission/degree.hpp"
 #include "skein/supervisor/way_home.hpp"
@@ -27,10 +27,6 @@ constexpr Duration kRoleWaits = Duration::milliseconds(240'000);
 constexpr Duration kPlanWaits = Duration::milliseconds(360'000);
 /// Likewise while all in its way fly: they will leave. A sweep takes up to 20 min, three tries 24.
 constexpr Duration kPlanWaitsForFlights = Duration::milliseconds(480'000);
-
-bool is_aside(functional::TaskId task) {
-  return task >= functional::kFirstAsideId && task < functional::kFirstBackgroundId;
-}
 
 /// A takeoff or a way of the plan's that something else could come before, or somebody else could
 /// do; not that of a goal which lands. Also one that an operator had asked for before the UAV
@@ -54,8 +50,9 @@ std::optional<Duration> longest_wait(Core& core, const Waiting& waiting,
   if (!may_be_given_up(core, waiting.request)) return std::nullopt;
   const auto& names = waiting.in_its_way;
   const bool for_flights =
-      !names.empty() && std::all_of(names.begin(), names.end(),
-                                    [&](const std::string& peer) { return merger.flies(peer); });
+      !names.empty() && std::all_of(names.begin(), names.end(), [&](const std::string& peer) {
+        return merger.peers().flies(peer);
+      });
   return for_flights ? kPlanWaitsForFlights : kPlanWaits;
 }
 
@@ -84,7 +81,7 @@ bool at_any_height(Core& core, const functional::Request& request, bool asked_lo
 
 /// What it flew aside for is given up, and this needs it to stand still: once it is there.
 bool waits_for_flight(const functional::Request& request, const VehicleAir& vehicle) {
-  return vehicle.flies() && is_aside(vehicle.flown()->airway.request.id) &&
+  return vehicle.flies() && OwnFlightIds::has(vehicle.flown()->airway.request.id) &&
          functional::TaskTypes::shipped().of(request.type).holds_vehicle();
 }
 
@@ -126,7 +123,7 @@ bool Merging::takes(const functional::Request& request) {
     if (portions_->running) core_.post_status({request.id, functional::TaskState::kRunning, ""});
     return true;
   }
-  if (left_wait_ == request.id) {
+  if (left_wait_.is(request.id)) {
     core_.post_status({request.id, functional::TaskState::kRunning, ""});
     return true;
   }
@@ -156,10 +153,7 @@ bool Merging::may_be_raised(bool asked_long) const {
 }
 
 bool Merging::drop(functional::TaskId task) {
-  if (left_wait_ == task) {
-    left_wait_.reset();
-    return true;
-  }
+  if (left_wait_.drop(task)) return true;
   if (!waiting_ || waiting_->request.id != task) return false;
   stop_waiting();
   portions_.reset();
@@ -180,9 +174,9 @@ void Merging::ask() {
   waiting_->comes_back = false;
   waiting_->asked_long = waiting_->is_long(core_.bus().now());
   if (is_to_come_back(place_, waiting_->request, vehicle_, margins_)) {
-    if (Airways back = flights_to(*place_, aside_, *core_.config().merging, situation());
+    if (Airways back = flights_to(*place_, own_ids_.next(), *core_.config().merging, situation());
         !back.empty()) {
-      aside_ = functional::TaskId(aside_.value() + 1);
+      own_ids_.take();
       waiting_->comes_back = true;
       waiting_->aside_since.reset();
       merging::Volumes there =
@@ -251,7 +245,7 @@ void Merging::begin(const Airway& airway, const std::string& state) {
 
 bool Merging::told(const functional::Status& status) {
   if (!merger_) return false;
-  if (left_wait_ == status.id && functional::is_terminal(status.state)) return true;
+  if (left_wait_.hides(status)) return true;
   if (runs_already_ == status.id && status.state == functional::TaskState::kRunning) {
     runs_already_.reset();  // an executive that takes it over is told
     return true;
@@ -266,7 +260,7 @@ bool Merging::told(const functional::Status& status) {
     if (of_portion) portion_over(status);
     if (waiting_ && waiting_->airways.empty()) ask();
   }
-  if (!is_aside(status.id)) return false;
+  if (!OwnFlightIds::has(status.id)) return false;
   refused_.told(status, core_.bus().now());
   return true;
 }
@@ -302,7 +296,7 @@ void Merging::hold() {
 bool Merging::may_go_around() const {
   if (!waiting_ || !waiting_->looks_around_from() || flies_portion()) return false;
   return vehicle_.state().airborne && core_.deliberation().possible() &&
-         !merger_->awaited().empty() && may_be_raised(waiting_->asked_long);
+         !merger_->awaited().to_leave().empty() && may_be_raised(waiting_->asked_long);
 }
 
 /// Not where others stay where it is to go: it would wait there.
@@ -313,7 +307,7 @@ void Merging::look_for_way_around() {
   if (!may_go_around()) return;
   const auto airways = airways_of(waiting_->request, true, *core_.config().merging, situation());
   if (!airways || airways->empty()) return;
-  const merging::Volumes taken = merger_->taken();
+  const merging::Volumes taken = merger_->peers().taken();
   if (overlap({airways->front().air.back()}, taken)) return;
   around_.search(waiting_->request, taken, situation());
 }
@@ -377,11 +371,8 @@ std::optional<MissionTime> Merging::next_wakeup() const {
 
 // ---- others ----
 
-// The vehicle would tell of a flight of another life's number how that one ended.
 void Merging::begin(const Started& started) {
-  if (!started.first_life)
-    aside_ =
-        functional::TaskId(functional::kFirstAsideId.value() + Rising::least(core_.bus().now()));
+  if (!started.first_life) own_ids_.begin_anew(core_.bus().now());
   if (merger_ && started.first_life) give(merging::FirstLife{});
 }
 
@@ -392,7 +383,7 @@ void Merging::hear(const MergeTold& told) {
 void Merging::hear(const WaySearched& done) {
   const auto task = around_.over(done);
   if (!task || !done.path || !may_go_around() || waiting_->request.id != *task) return;
-  auto around = around_.along(*done.path, waiting_->request, merger_->taken(), situation());
+  auto around = around_.along(*done.path, waiting_->request, merger_->peers().taken(), situation());
   auto airways = airways_of(waiting_->request, true, *core_.config().merging, situation());
   if (!around || !airways) return;
   airways->push_back(std::move(*around));
@@ -409,22 +400,9 @@ void Merging::contact(const Contact& contact) {
 void Merging::give(const merging::Input& input) {
   for (const merging::Effect& effect : merger_->handle(input, core_.bus().now()))
     std::visit([this](const auto& one) { carry_out(one); }, effect);
-  tell_orders();
-}
-
-// What comes first in time, for the dates of plans.
-void Merging::tell_orders() {
-  supervisor::AirOrders seen;
-  seen.uav = core_.config().uav;
-  const bool has_begun = portions_ && portions_->running;
-  if (waiting_ && !has_begun) seen.for_others = merger_->awaited();
-  if (!seen.for_others.empty()) seen.waits = waiting_->request.id;
-  if (vehicle_.flies())
-    seen.flies = flies_portion() ? portions_->task() : vehicle_.flown()->airway.request.id;
-  for (const merging::Merger::Waiter& one : merger_->waiters())
-    (one.for_its_place ? seen.for_its_place : seen.for_its_way).push_back(one.peer);
-  if (seen == orders_) return;
-  orders_ = seen;
+  auto orders = air_orders(core_.config().uav, waiting_, portions_, vehicle_, *merger_);
+  if (orders == orders_) return;
+  orders_ = std::move(orders);
   core_.deliberation().orders_seen({orders_});
 }
 
@@ -446,7 +424,7 @@ void Merging::carry_out(const merging::Waits& waits) {
     now_for.push_back(one.peer + " " + std::string(to_text(one.what)));
   if (!waiting_->aside_since) {
     waiting_->waits_for = std::move(now_for);
-    waiting_->in_its_way = merger_->in_its_way();
+    waiting_->in_its_way = waits.in_its_way();
   }
   if (!flies_portion()) waiting_->note_waits(core_.bus());
 }

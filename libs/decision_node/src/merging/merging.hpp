@@ -10,6 +10,8 @@
 #include "component.hpp"
 #include "merging/airways.hpp"
 #include "merging/home_air.hpp"
+#include "merging/left_wait.hpp"
+#include "merging/own_flight_ids.hpp"
 #include "merging/portions.hpp"
 #include "merging/refused_aside.hpp"
 #include "merging/vehicle_air.hpp"
@@ -78,11 +80,8 @@ class Merging final : public Component {
   bool flies_portion() const;
   void refuse(std::string why, functional::AbortCause cause = functional::AbortCause::kOther);
   void hold();
-  void tell_orders();
-  Airways places_aside(const merging::Volumes& taken, const std::vector<double>& heights = {0});
   void look_for_room();
   void leave_place();
-  bool leave_wait();
   void stop_waiting();
   AirwaySituation situation() const;
 
@@ -97,11 +96,10 @@ class Merging final : public Component {
   std::optional<world::Vector3>
       place_;  ///< where it got out of the way from, and did not come back
   std::optional<MissionTime> room_since_;  ///< another one wants to go where it stays, since then
-  /// A wait for orders that the vehicle was stopped in to make room; it goes on at its executive.
-  std::optional<functional::TaskId> left_wait_;
-  supervisor::AirOrders orders_;                          ///< as the supervisor was told
-  std::optional<functional::TaskId> runs_already_;        ///< a sweep that begins its last portion
-  functional::TaskId aside_ = functional::kFirstAsideId;  ///< of the next flight out of the way
+  LeftWait left_wait_;
+  supervisor::AirOrders orders_;                    ///< as the supervisor was told
+  std::optional<functional::TaskId> runs_already_;  ///< a sweep that begins its last portion
+  OwnFlightIds own_ids_;
   RefusedAside refused_;
 };
 

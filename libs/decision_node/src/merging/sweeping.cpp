@@ -30,9 +30,8 @@ void Merging::take_portion(functional::Request& flight) {
     if (portions_->running) runs_already_ = portions_->task();
     return portions_.reset();
   }
-  flight.id = aside_;
-  portions_->flown = aside_;
-  aside_ = functional::TaskId(aside_.value() + 1);
+  flight.id = own_ids_.take();
+  portions_->flown = flight.id;
 }
 
 bool Merging::flies_portion() const {

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,7 +13,9 @@
 #include "skein/foundation/repeats.hpp"
 #include "skein/foundation/rising.hpp"
 #include "skein/foundation/time.hpp"
+#include "skein/merging/former_life.hpp"
 #include "skein/merging/message.hpp"
+#include "skein/merging/peers.hpp"
 #include "skein/merging/standby.hpp"
 
 namespace skein::merging {
@@ -91,6 +92,11 @@ struct Waits {
     bool operator==(const Why&) const = default;
   };
   std::vector<Why> whys;
+
+  /// Peers that have to leave.
+  std::vector<std::string> to_leave() const;
+  /// The same, and those that have precedence since they have waited long.
+  std::vector<std::string> in_its_way() const;
 };
 /// Members wait for each other in a circle, and this UAV has to break it: it should want to move
 /// somewhere else first, and then its original way again.
@@ -125,6 +131,10 @@ struct Limits {
   bool presses(const std::optional<MissionTime>& since, MissionTime now) const {
     return since && now >= *since + pressing;
   }
+  /// Of two that want something since then and press, the first has waited longer; where that is
+  /// not clear to both, the earlier of the roster has.
+  bool longer(const std::optional<MissionTime>& since, bool is_earlier,
+              const std::optional<MissionTime>& other, MissionTime now) const;
 };
 
 /// Reserves air such that no two members ever hold overlapping volumes. In every pair of members
@@ -154,7 +164,7 @@ class Merger {
  public:
   /// Precondition: `members` has no duplicates and contains `self`; all members are given the same
   /// list in the same order. `witness`: its name, which is no member's; empty: there is none.
-  Merger(std::vector<std::string> members, const std::string& self, Limits limits = {},
+  Merger(const std::vector<std::string>& members, const std::string& self, Limits limits = {},
          const std::string& witness = "");
 
   Effects handle(const Input& input, MissionTime now);
@@ -164,15 +174,9 @@ class Merger {
   bool waits() const { return !choices_.empty(); }
   /// For every peer either the peer itself or the witness is in reach.
   bool can_ask() const;
-  /// What the peers hold, were granted, or want (asked for or not), as far as known.
-  Volumes others() const;
-  /// What the peers hold or have asked for, granted or not; of the peers in `wanting` also what
-  /// they want without having asked for it.
-  Volumes taken(const std::vector<std::string>& wanting = {}) const;
-  /// Peers that this UAV waits for to leave.
-  std::vector<std::string> awaited() const;
-  /// The same, and those that have precedence since they have waited long.
-  std::vector<std::string> in_its_way() const;
+  const Peers& peers() const { return peers_; }
+  /// Whom it waits for, as it was said last.
+  const Waits& awaited() const { return told_; }
   /// A peer that waits for this UAV to leave.
   struct Waiter {
     std::string peer;
@@ -180,38 +184,8 @@ class Merger {
     bool presses = false;        ///< it has waited long, and longer than this UAV
   };
   std::vector<Waiter> waiters() const;
-  /// Whether the peer is under way, as far as known: it holds more than the air of one place.
-  bool flies(const std::string& peer) const;
-  /// Where each peer stays, or will stay at the end of its way, as far as known.
-  Volumes ends() const;
 
  private:
-  /// This UAV's claim as a peer was told it last.
-  struct Told {
-    Claim claim;
-    std::uint64_t version = 0;
-    bool arrived = false;  ///< the peer has said so
-    Repeats again;         ///< until it has
-  };
-  struct Peer {
-    bool earlier = false;  ///< in the roster: it decides between the two
-    bool reachable = true;
-    bool heard = false;
-    std::uint64_t number = 0;  ///< of its last message
-    Claim claim;
-    std::uint64_t version = 0;  ///< of that claim; 0: from the witness, or none
-    Told told;
-    std::uint64_t answered = 0;  ///< its last request that this UAV answered
-    bool granted = false;        ///< the answer to that request
-    bool agreed = false;         ///< it has granted the open request of this UAV
-    /// It has answered a request in this life, or this is the first life: no promise to it is
-    /// forgotten.
-    bool known = false;
-    std::optional<MissionTime> wants_since;
-
-    /// What it said; false: its claim is not said and not known here.
-    bool take(const Message& message);
-  };
   struct Third {
     std::string name;
     bool reachable = true;
@@ -230,9 +204,7 @@ class Merger {
   void on(const Tick&) {}
   void hear_witness(const Message& message);
   void answer(Peer& peer);
-  bool needs(const Peer& peer) const { return peer.earlier || third_; }
   bool may_agree(const Peer& peer) const;
-  bool may_have_been_promised(std::uint64_t request) const;
   void advance();
   bool ask();
   bool take_what_is_kept();
@@ -254,24 +226,21 @@ class Merger {
   void ask_again();
   Claim claim() const;
 
-  std::vector<std::string> members_;
   std::string self_;
-  std::size_t place_ = 0;
   Limits limits_;
-  std::map<std::string, Peer> peers_;
+  Peers peers_;
   std::optional<Third> third_;  ///< the witness
   Standby standby_;
-  bool first_life_ = false;
-  std::optional<MissionTime> begun_;
+  FormerLife former_life_;
 
   Volumes held_;
   std::vector<Volumes> choices_;
   std::uint64_t request_ = 0;
-  Rising requests_, numbers_;     ///< numbers of requests, of messages
-  std::size_t choice_ = 0;        ///< of `choices_`: the one that the open request asks for
-  MissionTime deadline_;          ///< of the open request
-  MissionTime pause_;             ///< no new request before
-  std::vector<Waits::Why> told_;  ///< the last Waits effect
+  Rising requests_, numbers_;  ///< numbers of requests, of messages
+  std::size_t choice_ = 0;     ///< of `choices_`: the one that the open request asks for
+  MissionTime deadline_;       ///< of the open request
+  MissionTime pause_;          ///< no new request before
+  Waits told_;                 ///< the last
   std::optional<MissionTime> wants_since_;
   Volumes afterwards_;   ///< Want::afterwards
   bool leaves_ = false;  ///< Want::leaves
