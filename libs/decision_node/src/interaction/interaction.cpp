@@ -59,18 +59,18 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
     return tasks_.insert(std::move(moved))
         .position->second->ask_again(asked.task.id, std::move(preferences));
   }
-  const JointTask::Before before = attempts_at(joint->subject);
+  const EarlierAttempts before = attempts_at(joint->subject);
   auto& task = tasks_[asked.task.id];
   task = std::make_unique<JointTask>(host_, *this, std::move(*joint), std::move(preferences),
                                      sightings_);
   task->load(before);
 }
 
-JointTask::Before Interaction::attempts_at(const std::string& subject) const {
-  JointTask::Before all;
+EarlierAttempts Interaction::attempts_at(const std::string& subject) const {
+  EarlierAttempts all;
   for (const auto& [id, task] : tasks_) {
     if (task->joint().subject != subject) continue;
-    const JointTask::Before one = task->before();
+    const EarlierAttempts one = task->before();
     all.has_run = all.has_run || one.has_run;
     all.waits_since = earliest(all.waits_since, one.waits_since);
   }
@@ -103,9 +103,7 @@ void Interaction::refuse(const supervisor::LoadJointTask& asked, const Joint& jo
   status.hash = joint.hash;
   status.phase = interaction::JointPhase::kNotLoaded;
   status.why = why;
-  std::vector<std::string> partners = joint.members;
-  std::erase(partners, status.uav);
-  host_.bus().emit(JointTaskChanged{std::move(status), std::move(partners)});
+  host_.bus().emit(JointTaskChanged{std::move(status), joint.others(host_.config().uav)});
   host_.answered({asked.task.id, false, {}, why, {}});
 }
 
@@ -147,7 +145,7 @@ executive::TaskId Interaction::next_id() {
 
 JointTask* Interaction::about(const std::string& subject) {
   for (const auto& [id, task] : tasks_) {
-    if (!task->over() && task->is_about(subject)) return task.get();
+    if (!task->over() && task->joint().has(subject)) return task.get();
   }
   return nullptr;
 }
@@ -191,7 +189,7 @@ void Interaction::vehicle_told(const world::Telemetry& telemetry) {
   give_up_closed_ways(telemetry.state);
   for (const auto& [id, task] : tasks_) {
     if (task->over()) continue;
-    for (const std::string& partner : task->partners()) {
+    for (const std::string& partner : task->asked().others(host_.config().uav)) {
       host_.bus().emit(ShareTelemetry{partner, telemetry});
     }
     task->watch();

@@ -82,7 +82,7 @@ class Interaction final : public Component {
   /// Tells a partner that counts on this UAV that it plays no role.
   void disown(interaction::JointTaskStatus status);
   void forget_what_is_over();
-  JointTask::Before attempts_at(const std::string& subject) const;
+  EarlierAttempts attempts_at(const std::string& subject) const;
   void give_up_closed_ways(const world::VehicleState& state);
   JointTask* about(const std::string& subject);
 

@@ -136,6 +136,12 @@ Result<Joint, Failure> joint_of(const mission::ElementaryTask& task,
   return joint;
 }
 
+std::vector<std::string> Joint::others(const std::string& self) const {
+  std::vector<std::string> others = members;
+  std::erase(others, self);
+  return others;
+}
+
 std::optional<Joint> among(const Joint& joint, const std::vector<std::string>& members) {
   const interaction::Variant* variant =
       variant_for(joint.library->models.at(joint.model), members.size());

@@ -31,6 +31,11 @@ struct Joint {
   Arguments arguments;               ///< of the variant's parameters
   /// Identifies the joint task among its members: made of model, arguments and members.
   std::string subject;
+
+  /// Whether a negotiation is about this joint task.
+  bool has(const std::string& negotiated) const { return negotiated.starts_with(subject + "/"); }
+  /// All members but `self`.
+  std::vector<std::string> others(const std::string& self) const;
 };
 
 /// The joint task of an elementary task. Refused: unknown model, no variant for this number of

@@ -4,47 +4,20 @@
 
 #include "interaction/interaction.hpp"
 #include "interaction/joint_task.hpp"
+#include "interaction/loading_talks.hpp"
 #include "partners.hpp"
 #include "skein/foundation/joined.hpp"
 
 namespace skein::decision_node {
 
-namespace {
-
 using interaction::JointPhase;
 
-constexpr Duration kTryFor = Duration::milliseconds(600'000);  // where the plan has no latest start
-// Where it has run and failed, it is due: whom it failed for comes back soon, or is done without.
-constexpr Duration kTryAgainFor = Duration::milliseconds(60'000);
-constexpr Duration kLostAfter = Duration::milliseconds(60'000);  // then a partner is lost
-
-}  // namespace
-
-// Until it is to start at the latest; where that is not said, some time after it could have: its
-// plan is made anew while it waits, and could begin it anew each time.
-void JointTask::wait_for_partners() {
-  Duration latest, first = preferences_.front().least;
-  for (const mission::Interval& one : preferences_) {
-    latest = std::max(latest, one.most);
-    first = std::min(first, one.least);
-  }
-  const bool bounded = latest < Duration::seconds(kForever);
-  const MissionTime could = std::max(now(), MissionTime() + first);
-  if (could > now() + Retries::kOftenest)
-    due_since_.reset();
-  else if (!due_since_)
-    due_since_ = could;
-  const MissionTime due = due_since_.value_or(could);
-  waits_since_ = due_since_ ? before_.waits_since.value_or(due) : due;
-  try_until_ = bounded ? MissionTime() + latest : due + (before_.has_run ? kTryAgainFor : kTryFor);
-}
-
 // What its supervisor plans again at once is one wait.
-JointTask::Before JointTask::before() const {
+EarlierAttempts JointTask::before() const {
   const bool has_run = play_.has_begun();
-  Before before{my_.phase == JointPhase::kAborted && has_run, std::nullopt};
+  EarlierAttempts before{my_.phase == JointPhase::kAborted && has_run, std::nullopt};
   const bool just_failed = over_since_ && now() <= *over_since_ + kPlannedAgain;
-  if (just_failed && !has_run) before.waits_since = waits_since_;
+  if (just_failed && !has_run) before.waits_since = time_.since();
   return before;
 }
 
@@ -56,10 +29,11 @@ void JointTask::do_without_the_absent() {
     if (uav == self()) return false;
     const auto since = interaction_.partners().silent_since(uav);
     const Interaction::Refusal* refused = interaction_.refusal_of(asked_.subject, uav);
-    const bool stands = refused && std::max(refused->since, asked_at_) + kLostAfter <= now();
+    const bool stands =
+        refused && std::max(refused->since, asked_at_) + Companions::kLostAfter <= now();
     if (stands) why = "'" + uav + "' takes no part: " + refused->why;
     return stands || interaction_.partners().is_declared_lost(uav) ||
-           (since && *since + kLostAfter <= now());
+           (since && *since + Companions::kLostAfter <= now());
   });
   if (there == my_.joint.members) return;
   auto fewer = there.size() < 2 ? std::nullopt : among(asked_, there);
@@ -74,10 +48,10 @@ void JointTask::do_without_the_absent() {
 // without, it is: the lease is no shorter than what that takes.
 void JointTask::give_up_on_partners() {
   if (!is_to_begin()) return;
-  for (const std::string& uav : partners()) {
+  for (const std::string& uav : asked_.others(self())) {
     const bool is_lost = interaction_.partners().is_declared_lost(uav);
     if (my_.phase == JointPhase::kLoaded && (!is_lost || !my_.holders.contains(uav))) continue;
-    const auto why = interaction_.partners().given_up(uav, waits_since_, now());
+    const auto why = interaction_.partners().given_up(uav, time_.since(), now());
     if (!why) continue;
     if (roles_known_ && my_.holders.contains(uav)) load_again(*why);
     if (!roles_known_) do_without_the_absent();
@@ -87,46 +61,13 @@ void JointTask::give_up_on_partners() {
   }
 }
 
-// While it runs, until it has only flights left. Of who has ended nothing is expected any more.
-std::vector<std::string> JointTask::partners_needed() const {
-  std::vector<std::string> needed;
-  if (my_.phase != JointPhase::kRunning || play_.has_only_flights_left()) return needed;
-  for (const auto& [uav, role] : my_.holders)
-    if (uav != self() && !ended_.contains(uav)) needed.push_back(uav);
-  return needed;
-}
-
-void JointTask::lose_the_silent() {
-  const Partners& partners = interaction_.partners();
-  for (const std::string& uav : partners_needed()) {
-    const auto since = partners.silent_since(uav);
-    if (partners.is_declared_lost(uav)) {
-      lost(uav, "'" + uav + "' is declared lost");
-    } else if (since && *since + kLostAfter <= now()) {
-      lost(uav, partners.silence_of(uav));
-    }
-  }
-}
-
-std::optional<MissionTime> JointTask::next_loss() const {
-  std::optional<MissionTime> next;
-  const Partners& known = interaction_.partners();
-  if (my_.phase == JointPhase::kLoading) {
-    for (const std::string& uav : my_.joint.members)
-      if (uav != self()) next = earliest(next, known.gives_up_at(uav, waits_since_));
-  }
-  for (const std::string& uav : partners_needed())
-    if (const auto since = known.silent_since(uav)) next = earliest(next, *since + kLostAfter);
-  return next;
-}
-
 void JointTask::partner_told(const interaction::JointTaskStatus& status, MissionTime at) {
   const bool gone = status.phase == JointPhase::kLeaving || status.phase == JointPhase::kAborted ||
                     status.phase == JointPhase::kNotLoaded;
   // What it said before the roles were agreed is about an attempt before this one.
   if (!roles_known_ || at <= agreed_at_) return;
-  if (status.phase == JointPhase::kEnded) ended_.insert(status.uav);
-  play_.partner_has_left(status.uav, status.left);
+  if (status.phase == JointPhase::kEnded) companions_.has_ended(status.uav);
+  play_.mapping().share().told(status.uav, status.left);
   const bool goes_on = my_.phase == JointPhase::kRunning && status.phase == JointPhase::kRunning;
   if (goes_on && !status.holders.empty() && !status.holders.contains(self()))
     return go_on_apart(status);
@@ -140,15 +81,9 @@ void JointTask::partner_told(const interaction::JointTaskStatus& status, Mission
 // they and this UAV do not count on each other any more.
 void JointTask::go_on_apart(const interaction::JointTaskStatus& status) {
   for (const auto& [uav, role] : status.holders) {
-    play_.leave_share_to(uav);
+    play_.mapping().share().leave_to(uav);
     lost(uav, "'" + status.uav + "' goes on without '" + self() + "'");
   }
-}
-
-bool JointTask::partners_have_ended() const {
-  return std::all_of(my_.holders.begin(), my_.holders.end(), [&](const auto& one) {
-    return one.first == self() || ended_.contains(one.first);
-  });
 }
 
 // It has not begun: the partner may come back to it.

@@ -60,7 +60,12 @@ JointPlay::JointPlay(const PlaySurroundings& of)
       talks_(of, {*this, mapping_.share(), record_}) {}
 
 MissionTime JointPlay::now() const { return host_.bus().now(); }
-Outlook JointPlay::outlook() const { return task_.outlook(); }
+
+Outlook JointPlay::outlook() const {
+  const auto world = host_.world();  // is kept until the next input
+  return {*host_.config().knowledge, *world,
+          sightings_.observer(my_.joint.arguments, *world, now()), now(), host_.free_to_stay()};
+}
 
 // ---- the role ----
 
@@ -254,7 +259,7 @@ bool JointPlay::has_only_flights_left() const {
 }
 
 bool JointPlay::nothing_is_left_together() const {
-  return task_.partners_have_ended() && has_only_flights_left();
+  return task_.companions().all_have_ended() && has_only_flights_left();
 }
 
 // What was to be done together is done. A role that is not over by this has something left to do.

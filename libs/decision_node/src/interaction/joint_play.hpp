@@ -28,6 +28,8 @@ class JointPlay final : private RoleCourse {
   bool has_begun() const { return play_.has_value(); }
   bool needs_no_place() const { return play_ && !play_->is_bound(); }
   void tell(const interaction::Input& input) override;
+  /// What places and costs are computed with.
+  Outlook outlook() const override;
   void leave();
   /// All that are not over; where the role has done what it was for they do not fail it.
   void abort_tasks(bool is_done);
@@ -42,12 +44,8 @@ class JointPlay final : private RoleCourse {
   /// The same, and its partners have ended their roles.
   bool nothing_is_left_together() const;
   void lose(const std::string& uav);
-  void partner_has_left(const std::string& uav, const interaction::Rows& rest) {
-    mapping_.share().told(uav, rest);
-  }
-  /// A partner goes on without this UAV, and with what it has of an area.
-  void leave_share_to(const std::string& uav) { mapping_.share().leave_to(uav); }
-  Result<interaction::Rows, Failure> offer_of_area() const { return mapping_.offer(); }
+  AreaMapping& mapping() { return mapping_; }
+  const AreaMapping& mapping() const { return mapping_; }
   void decided(const interaction::Terms& terms, const interaction::NegotiationOutcome& outcome);
 
   // ---- what happens ----
@@ -62,7 +60,6 @@ class JointPlay final : private RoleCourse {
  private:
   MissionTime now() const;
   RolePlay& play() override { return *play_; }
-  Outlook outlook() const override;
   executive::TaskId give(const std::string& componel, executive::Task task,
                          std::optional<executive::TaskId> along = {}) override;
   void fail(const std::string& componel, const std::string& why) override;

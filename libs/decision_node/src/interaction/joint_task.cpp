@@ -8,6 +8,7 @@
 
 #include "interaction/agreed_places.hpp"
 #include "interaction/interaction.hpp"
+#include "interaction/loading_talks.hpp"
 #include "interaction/places.hpp"
 #include "skein/foundation/joined.hpp"
 
@@ -18,23 +19,11 @@ namespace {
 using interaction::JointPhase;
 using Kind = interaction::NegotiationOutcome::Kind;
 
-constexpr Duration kSession = Duration::milliseconds(30'000);
 // What is agreed must still be possible when it is agreed: a start that was not is offered so much
 // later, twice as much each time.
 constexpr Duration kAhead = Duration::milliseconds(5'000);
 constexpr Duration kFurthestAhead = Duration::milliseconds(60'000);
 constexpr double kSameBeginning = 25;  // [m] what a refusal depends on is the same
-constexpr double kRoom = 1;            // [s] at the end of an interval
-
-/// Why a role cannot be played by who has these devices no more; empty: it needs none of them.
-std::string lacking(const interaction::Role& role, const std::vector<std::string>& failed) {
-  for (const interaction::Requirement& one : role.requirements) {
-    const auto* device = std::get_if<std::string>(&one.value);
-    if (device != nullptr && std::find(failed.begin(), failed.end(), *device) != failed.end())
-      return "device '" + *device + "' has failed";
-  }
-  return {};
-}
 
 /// Why nothing was agreed, and who is silent.
 std::string why_too_late(const Membership& my, const std::string& self, const Partners& partners) {
@@ -48,6 +37,11 @@ std::string why_too_late(const Membership& my, const std::string& self, const Pa
   return why;
 }
 
+/// Until it has only flights left.
+bool needs_partners(const Membership& my, const JointPlay& play) {
+  return my.phase == JointPhase::kRunning && !play.has_only_flights_left();
+}
+
 }  // namespace
 
 JointTask::JointTask(JointHost& host, Interaction& interaction, Joint joint,
@@ -58,22 +52,11 @@ JointTask::JointTask(JointHost& host, Interaction& interaction, Joint joint,
       preferences_(std::move(preferences)),
       asked_(joint),
       my_{std::move(joint)},
+      companions_(host.partners(), my_, host.config().uav),
       play_({host, interaction, sightings, *this, my_}) {}
 
 MissionTime JointTask::now() const { return host_.bus().now(); }
 const std::string& JointTask::self() const { return host_.config().uav; }
-
-std::vector<std::string> JointTask::partners() const {
-  std::vector<std::string> others = asked_.members;
-  std::erase(others, self());
-  return others;
-}
-
-Outlook JointTask::outlook() const {
-  const auto world = host_.world();  // is kept until the next input
-  return {*host_.config().knowledge, *world,
-          sightings_.observer(my_.joint.arguments, *world, now()), now(), host_.free_to_stay()};
-}
 
 // ---- loading ----
 
@@ -81,13 +64,13 @@ bool JointTask::is_to_begin() const {
   return my_.phase == JointPhase::kLoading || my_.phase == JointPhase::kLoaded;
 }
 
-void JointTask::load(const Before& before) {
-  before_ = before;
+void JointTask::load(const EarlierAttempts& before) {
   asked_at_ = now();
-  wait_for_partners();
+  time_.follows(before);
+  time_.plan(preferences_, now());
   do_without_the_absent();
   give_up_on_partners();
-  if (!over()) negotiate_roles();
+  if (!over()) interaction_.begin(my_.joint, roles_session(my_.joint));
   announce();
 }
 
@@ -96,7 +79,7 @@ void JointTask::ask_again(executive::TaskId task, std::vector<mission::Interval>
   my_.joint.task = task;
   preferences_ = std::move(preferences);
   answered_ = false;
-  wait_for_partners();
+  time_.plan(preferences_, now());
   if (my_.phase == JointPhase::kLoaded) {
     const Duration start = *agreed_start_ - MissionTime();
     const bool keeps = std::any_of(
@@ -109,7 +92,7 @@ void JointTask::ask_again(executive::TaskId task, std::vector<mission::Interval>
       my_.phase = JointPhase::kLoading;
       my_.why = "it cannot begin any more when it was agreed";
       ahead_ = std::clamp(ahead_ + ahead_, kAhead, kFurthestAhead);
-      negotiate_start();
+      interaction_.begin(my_.joint, start_session(my_.joint));
     }
   } else if (roles_known_ && retries_.at()) {
     retries_.anew(now());
@@ -117,87 +100,22 @@ void JointTask::ask_again(executive::TaskId task, std::vector<mission::Interval>
   announce();
 }
 
-void JointTask::negotiate_roles() {
-  interaction::BeginNegotiation begin;
-  begin.subject = my_.joint.subject + kRoles;
-  begin.modality = "role-allocation";
-  for (const std::string& role : my_.joint.variant->roles) {
-    const interaction::Arity& arity = my_.joint.variant->table.arities.at(role);
-    begin.parameters.push_back(
-        {role, "", {double(arity.least), arity.most ? double(*arity.most) : -1}});
-  }
-  begin.within = kSession;
-  interaction_.begin(my_.joint, std::move(begin));
-}
-
-void JointTask::negotiate_start() {
-  interaction::BeginNegotiation begin;
-  begin.subject = my_.joint.subject + kStart;
-  begin.modality = "time-interval";
-  begin.parameters = {{"duration", "", {kRoom / 2}}};
-  begin.within = kSession;
-  interaction_.begin(my_.joint, std::move(begin));
-}
-
 world::VehicleState JointTask::where_it_begins() const {
   const world::VehicleState& seen = sightings_.own()->state;
   return is_to_begin() ? host_.when_it_begins(my_.joint.task, seen) : seen;
 }
 
-// Whoever takes another role leaves what it has under way, and all meet anew.
-double JointTask::cost_of_change(const std::string& role) const {
-  constexpr double kChange = 4;  // [s]
-  const auto held = my_.holders.find(self());
-  const bool runs = my_.phase == JointPhase::kRunning && held != my_.holders.end();
-  return runs && held->second != role ? kChange : 0;
-}
-
-bool JointTask::is_about(const std::string& subject) const {
-  return subject.starts_with(my_.joint.subject + "/");
-}
-
 Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms& terms) const {
   if (over()) return failure("it is over here: " + my_.why);
-  interaction::Rows rows;
-  if (terms.modality == "time-interval") {
-    for (const mission::Interval& one : preferences_) {
-      const double until = std::min(one.most.to_seconds(), kForever);
-      const double from = std::clamp((one.least + ahead_).to_seconds(), one.least.to_seconds(),
-                                     std::max(one.least.to_seconds(), until));
-      rows.push_back({"interval", "", {from, std::max(from, until) + kRoom}});
-    }
-    return rows;
-  }
+  if (terms.modality == "time-interval") return offer_of_start(preferences_, ahead_);
   if (sightings_.own() == nullptr) return failure("it does not know where it is");
   if (terms.modality == kAreaSharing) {
     if (!my_.holders.contains(self())) return failure("it holds no role");
-    return play_.offer_of_area();
+    return play_.mapping().offer();
   }
-  const Outlook outlook = this->outlook();
-  if (gives_places(terms.modality)) {
-    return offer_of_places(terms, sightings_.own()->state, outlook);
-  }
-  const world::VehicleState from = where_it_begins();
-  std::vector<std::string> reasons;
-  for (const interaction::Row& role : terms.parameters) {
-    if (!my_.joint.library->roles.contains(role.name))
-      return failure("no role '" + role.name + "'");
-    std::string why = host_.why_not(my_.joint, role.name);
-    if (why.empty())
-      why = lacking(my_.joint.library->roles.at(role.name), sightings_.own()->failed);
-    if (!why.empty()) {
-      reasons.push_back(role.name + ": " + why);
-      continue;
-    }
-    const auto cost = cost_of(my_.joint, role.name, from, outlook);
-    if (cost) {
-      rows.push_back({role.name, "", {cost->seconds + cost_of_change(role.name)}});
-    } else {
-      reasons.push_back(role.name + ": " + cost.error().why);
-    }
-  }
-  if (rows.empty()) return failure("it can play no role: " + joined(reasons, "; "));
-  return rows;
+  const Outlook outlook = play_.outlook();
+  if (gives_places(terms.modality)) return offer_of_places(terms, sightings_.own()->state, outlook);
+  return offer_of_roles(terms, {host_, sightings_, my_, where_it_begins(), outlook});
 }
 
 void JointTask::decided(const interaction::Terms& terms,
@@ -223,9 +141,9 @@ void JointTask::roles_agreed(const interaction::Terms& terms, const interaction:
   for (const interaction::Row& row : result) my_.holders[row.name] = row.text;
   my_.allocation = to_text(terms.id());
   agreed_at_ = now();
-  ended_.clear();
+  companions_.begin_anew();
   roles_known_ = true;
-  negotiate_start();
+  interaction_.begin(my_.joint, start_session(my_.joint));
 }
 
 void JointTask::start_agreed(const interaction::Rows& result) {
@@ -246,7 +164,7 @@ void JointTask::answer() {
       my_.joint.task, true, {*agreed_start_ - MissionTime(), Duration::max()}, "", {}};
   if (sightings_.own() != nullptr) {
     const auto cost =
-        cost_of(my_.joint, my_.holders.at(self()), where_it_begins(), this->outlook());
+        cost_of(my_.joint, my_.holders.at(self()), where_it_begins(), play_.outlook());
     if (cost) answer.takes = {Duration::seconds(cost->seconds), cost->energy};
   }
   host_.answered(answer);
@@ -256,8 +174,9 @@ void JointTask::not_agreed(const std::string& why) {
   my_.why = why;
   if (retries_.failed(why, now()))
     host_.bus().emit(Notice{my_.joint.subject + " is not agreed on, and is tried until " +
-                            std::to_string(std::lround(try_until_.to_seconds())) + " s: " + why});
-  if (now() + Retries::kOftenest > try_until_)
+                            std::to_string(std::lround(time_.until().to_seconds())) +
+                            " s: " + why});
+  if (now() + Retries::kOftenest > time_.until())
     not_loaded(why_too_late(my_, self(), interaction_.partners()));
 }
 
@@ -316,7 +235,7 @@ void JointTask::invited(const interaction::Terms& terms) {
     const bool anew = roles_known_ && terms.opened > start_agreed_at_;
     if (!anew || !(loaded || my_.phase == JointPhase::kRunning)) return;
     if (loaded) my_.phase = JointPhase::kLoading;
-    return host_.bus().post([this] { negotiate_start(); });
+    return host_.bus().post([this] { interaction_.begin(my_.joint, start_session(my_.joint)); });
   }
   // Who has been lost here calls others than those who go on.
   if (my_.phase != JointPhase::kRunning || !my_.holders.contains(terms.opener)) return;
@@ -335,13 +254,16 @@ void JointTask::time_passes() {
   if (retries_.is_due(now()) && my_.phase == JointPhase::kLoading) {
     retries_.tried();
     if (!roles_known_) do_without_the_absent();
-    if (my_.phase == JointPhase::kLoading) roles_known_ ? negotiate_start() : negotiate_roles();
+    const Joint& joint = my_.joint;
+    if (my_.phase == JointPhase::kLoading)
+      interaction_.begin(joint, roles_known_ ? start_session(joint) : roles_session(joint));
   }
   give_up_on_partners();
-  if (my_.phase == JointPhase::kLoading && try_until_ <= now())
+  if (my_.phase == JointPhase::kLoading && time_.until() <= now())
     not_loaded(why_too_late(my_, self(), interaction_.partners()));
   begin_if_due();
-  lose_the_silent();
+  if (needs_partners(my_, play_))
+    for (const auto& [uav, why] : companions_.lost(now())) lost(uav, why);
   play_.time_passes();
   announce();
 }
@@ -349,9 +271,12 @@ void JointTask::time_passes() {
 std::optional<MissionTime> JointTask::next_wakeup() const {
   if (over()) return std::nullopt;
   std::optional<MissionTime> next = play_.next_wakeup();
-  if (my_.phase == JointPhase::kLoading) next = earliest(next, earliest(retries_.at(), try_until_));
+  if (my_.phase == JointPhase::kLoading)
+    next = earliest(next, earliest(retries_.at(), time_.until()));
   if (my_.phase == JointPhase::kLoaded && dispatched_) next = earliest(next, agreed_start_);
-  return earliest(next, next_loss());
+  if (my_.phase == JointPhase::kLoading)
+    next = earliest(next, companions_.next_given_up(time_.since()));
+  return needs_partners(my_, play_) ? earliest(next, companions_.next_loss()) : next;
 }
 
 // ---- the end ----
@@ -411,7 +336,7 @@ void JointTask::announce() {
   status.agreed_start = agreed_start_;
   if (told_ == status) return;
   told_ = status;
-  host_.bus().emit(JointTaskChanged{std::move(status), partners()});
+  host_.bus().emit(JointTaskChanged{std::move(status), asked_.others(self())});
 }
 
 }  // namespace skein::decision_node

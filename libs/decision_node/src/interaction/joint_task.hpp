@@ -2,16 +2,14 @@
 // The life cycle of one joint task on one of its UAVs.
 #pragma once
 
-#include <map>
-#include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
+#include "interaction/companions.hpp"
 #include "interaction/joint_host.hpp"
 #include "interaction/joint_play.hpp"
-#include "interaction/places.hpp"
+#include "interaction/loading_time.hpp"
 #include "interaction/retries.hpp"
 #include "interaction/sightings.hpp"
 #include "skein/decision_node/messages.hpp"
@@ -58,14 +56,9 @@ class JointTask {
   bool is_to_begin() const;
   /// Whether the vehicle may move away without breaking a constraint of the role.
   bool needs_no_place() const { return is_to_begin() || play_.needs_no_place(); }
-  /// Of attempts at the same joint task on this UAV.
-  struct Before {
-    bool has_run = false;                      ///< and failed
-    std::optional<MissionTime> waits_since{};  ///< one that never ran has just failed: since then
-  };
-  void load(const Before& before);
+  void load(const EarlierAttempts& before);
   /// What it is to one that is loaded now, after it.
-  Before before() const;
+  EarlierAttempts before() const;
   /// The plan changed: the task has another id, or other possible start times.
   void ask_again(executive::TaskId task, std::vector<mission::Interval> preferences);
   /// The executive starts it.
@@ -76,19 +69,13 @@ class JointTask {
   void leave(const std::string& why);
   /// The same, without waiting for tasks that are being aborted.
   void leave_at_once(const std::string& why);
-  /// All members that were asked for it, except this UAV.
-  std::vector<std::string> partners() const;
-  /// Whether every other holder of a role has told that it has ended.
-  bool partners_have_ended() const;
-  /// The input for computing places and costs.
-  Outlook outlook() const;
+  const Companions& companions() const { return companions_; }
   /// Ends it in this phase. Precondition: its role is over, or not begun.
   void finish(interaction::JointPhase phase);
   /// Emits the status if it changed, for partners too.
   void announce();
 
   // ---- negotiation ----
-  bool is_about(const std::string& subject) const;
   void invited(const interaction::Terms& terms);
   Result<interaction::Rows, Failure> offer_for(const interaction::Terms& terms) const;
   /// A session ended with this outcome, or an undecided outcome became known.
@@ -103,25 +90,14 @@ class JointTask {
   std::optional<MissionTime> next_wakeup() const;
 
  private:
-  static constexpr const char* kRoles = "/roles";  ///< subjects of its negotiations end so
-  static constexpr const char* kStart = "/start";
-  static constexpr double kForever = 1e8;  ///< no latest start [s]
-
   MissionTime now() const;
   const std::string& self() const;
 
   /// This UAV's state at the planned beginning; its present state once the task has begun.
   world::VehicleState where_it_begins() const;
-  double cost_of_change(const std::string& role) const;
-  void wait_for_partners();
   void answer();
   void do_without_the_absent();
   void give_up_on_partners();
-  std::vector<std::string> partners_needed() const;
-  void lose_the_silent();
-  std::optional<MissionTime> next_loss() const;
-  void negotiate_roles();
-  void negotiate_start();
   void roles_agreed(const interaction::Terms& terms, const interaction::Rows& result);
   void start_agreed(const interaction::Rows& result);
   void not_agreed(const std::string& why);
@@ -137,18 +113,15 @@ class JointTask {
   std::vector<mission::Interval> preferences_;
   const Joint asked_;  ///< with all members that were asked
   Membership my_;
+  Companions companions_;
   JointPlay play_;
   bool dispatched_ = false;  ///< the executive has started it
-  Before before_;
-  MissionTime try_until_;
-  MissionTime waits_since_;  ///< for partners: from when it, or one before, could begin
-  MissionTime asked_at_;     ///< the last time that it was loaded
-  std::optional<MissionTime> due_since_;  ///< it could begin at once, and has waited for others
+  LoadingTime time_;
+  MissionTime asked_at_;  ///< when it was loaded
   Retries retries_;
   bool answered_ = false;  ///< the supervisor was told that it is loaded
   bool roles_known_ = false;
   MissionTime agreed_at_;
-  std::set<std::string> ended_;  ///< partners, since the roles were agreed
   Duration ahead_;  ///< time before the role's first action, added to the offered start
   std::optional<MissionTime> agreed_start_;
   MissionTime start_agreed_at_;

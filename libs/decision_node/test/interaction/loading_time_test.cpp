@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// How long a joint task that loads is tried, and since when it waits for its partners.
+#include "interaction/loading_time.hpp"
+
+#include <gtest/gtest.h>
+
+namespace skein::decision_node {
+namespace {
+
+constexpr double kEver = 2e8;  // [s]
+
+class LoadingTimes : public ::testing::Test {
+ protected:
+  static MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
+  void plan(double least, double most, double now) {
+    time.plan({{Duration::seconds(least), Duration::seconds(most)}}, at(now));
+  }
+
+  LoadingTime time;
+};
+
+TEST_F(LoadingTimes, ItIsTriedUntilItIsToStartAtTheLatest) {
+  time.plan({{Duration::seconds(50), Duration::seconds(60)},
+             {Duration::seconds(100), Duration::seconds(300)}},
+            at(10));
+  EXPECT_EQ(time.until(), at(300));
+  EXPECT_EQ(time.since(), at(50)) << "before that nobody is waited for";
+}
+
+TEST_F(LoadingTimes, WithoutALatestStartItIsTriedForAWhile) {
+  plan(0, kEver, 10);
+  EXPECT_EQ(time.until(), at(10) + LoadingTime::kTryFor);
+  EXPECT_EQ(time.since(), at(10));
+}
+
+TEST_F(LoadingTimes, PlansThatAreMadeAnewDoNotProlongIt) {
+  plan(0, kEver, 10);
+  plan(200, kEver, 200);
+  EXPECT_EQ(time.until(), at(10) + LoadingTime::kTryFor);
+  EXPECT_EQ(time.since(), at(10));
+}
+
+TEST_F(LoadingTimes, APlanToStartMuchLaterBeginsItAnew) {
+  plan(0, kEver, 10);
+  plan(500, kEver, 20);
+  EXPECT_EQ(time.since(), at(500));
+  plan(20, kEver, 30);
+  EXPECT_EQ(time.since(), at(30));
+}
+
+TEST_F(LoadingTimes, WhatHasRunAndFailedIsTriedForAShorterTime) {
+  time.follows({true, std::nullopt});
+  plan(0, kEver, 10);
+  EXPECT_EQ(time.until(), at(10) + LoadingTime::kTryAgainFor);
+}
+
+TEST_F(LoadingTimes, TheWaitOfOneThatHasJustFailedGoesOn) {
+  time.follows({false, at(3)});
+  plan(0, kEver, 10);
+  EXPECT_EQ(time.since(), at(3));
+  EXPECT_EQ(time.until(), at(10) + LoadingTime::kTryFor);
+  plan(400, kEver, 20);
+  EXPECT_EQ(time.since(), at(400)) << "it does not wait before it can start";
+}
+
+}  // namespace
+}  // namespace skein::decision_node
