@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sizes: functions, files, mains and parameter lists stay small, and the code has tests enough; prints how they are spread.
+"""Sizes: functions, classes, files, mains and parameter lists stay small, and the code has tests enough; prints how they are spread.
 
-With --list N also prints the N longest functions.
+With --list N also prints the N longest functions and the N classes with the most member functions.
 """
 import math
+import pathlib
 import re
 import sys
 
-from sources import Architecture, code_files, finish, is_test, without_comments
+from classes import classes_of
+from sources import Architecture, code_files, finish, is_test, matching, without_comments
 
 FUNCTION_LINES = 60
 FILE_LINES = 500
 MAIN_LINES = 60
 PARAMETERS = 6
+MEMBER_FUNCTIONS = 40  # declared in a class; of those in large_classes.txt as many as stand there
 TESTS_PER_LINE = 0.8  # of code; both without comments and empty lines
 
 BRACES = re.compile(r"[{};]")
@@ -32,17 +35,6 @@ class Function:
     @property
     def lines(self):
         return self.last - self.first + 1
-
-
-def matching(code, start, step, opening, closing):
-    """Where the bracket opened (or closed) at `start` ends, going by `step`; -1 if it does not."""
-    depth = 0
-    while 0 <= start < len(code):
-        depth += {opening: 1, closing: -1}.get(code[start], 0)
-        if depth == 0:
-            return start
-        start += step
-    return -1
 
 
 def parameter_list(head):
@@ -123,6 +115,24 @@ def problems_of(relative, text):
             yield f"{relative}:{one.first}: {one.name} has {one.parameters} parameters, {PARAMETERS} are allowed"
 
 
+def problems_of_classes(counts, known):
+    """counts, known: (file, class) to its member functions; known are those that may have more, and may not grow."""
+    for (relative, name), count in sorted(counts.items()):
+        allowed = known.get((relative, name), MEMBER_FUNCTIONS)
+        if count > allowed:
+            yield f"{relative}: {name} declares {count} member functions, {allowed} are allowed"
+    for (relative, name), allowed in sorted(known.items()):
+        count = counts.get((relative, name), 0)
+        if count < allowed:
+            wanted = "its line is to go" if count <= MEMBER_FUNCTIONS else f"its line is to say {count}"
+            yield f"large_classes.txt: {name} in {relative} declares {count} member functions by now: {wanted}"
+
+
+def read_large_classes(text):
+    lines = [line.split() for line in text.splitlines() if line.strip() and not line.startswith("#")]
+    return {(relative, name): int(count) for relative, name, count in lines}
+
+
 def problems_of_counts(code, tests):
     wanted = math.ceil(TESTS_PER_LINE * code - 1e-9)
     if tests < wanted:
@@ -139,10 +149,12 @@ def spread(values):
 def main():
     architecture = Architecture(sys.argv[1])
     wanted = int(sys.argv[sys.argv.index("--list") + 1]) if "--list" in sys.argv else 0
-    problems, sizes, longest, code, tests = [], [], [], 0, 0
+    problems, sizes, longest, classes, code, tests = [], [], [], {}, 0, 0
     for relative in code_files(architecture.source, ("libs", "sim", "daemons", "cli", "tests")):
         text = (architecture.source / relative).read_text()
         problems += problems_of(relative, text)
+        for one in classes_of(text):
+            classes[relative, one.name] = max(one.functions, classes.get((relative, one.name), 0))
         lines = sum(1 for line in without_comments(text, keep_strings=True).splitlines() if line.strip())
         if is_test(relative):
             tests += lines
@@ -150,10 +162,15 @@ def main():
         code += lines
         sizes.append(text.count("\n"))
         longest += [(one.lines, f"{relative}:{one.first} {one.name}") for one in functions_of(text)]
+    known = (pathlib.Path(__file__).parent / "large_classes.txt").read_text()
+    problems += problems_of_classes(classes, read_large_classes(known))
     problems += problems_of_counts(code, tests)
     for lines, where in sorted(longest, reverse=True)[:wanted]:
         print(f"{lines:4} {where}")
-    print(f"functions: {spread([lines for lines, _ in longest])} lines; files: {spread(sizes)} lines")
+    for count, relative, name in sorted(((n, *where) for where, n in classes.items()), reverse=True)[:wanted]:
+        print(f"{count:4} {relative} {name}")
+    print(f"functions: {spread([lines for lines, _ in longest])} lines; files: {spread(sizes)} lines; "
+          f"classes: {spread(list(classes.values()))} member functions")
     finish(problems, f"{code} lines of code, {tests} of tests ({tests / code:.2f}): all within the budgets")
 
 

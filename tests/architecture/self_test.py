@@ -12,6 +12,7 @@ import check_documents
 import check_headers_alone
 import check_includes
 import check_one_definition
+import classes
 import sources
 
 
@@ -239,6 +240,54 @@ template <class T> requires std::same_as<T, int> void g(T) { }
         self.assertIn("61 lines", list(check_budgets.problems_of("x/main.cpp", "\n" * 61))[0])
         self.assertIn("7 parameters", list(check_budgets.problems_of("a.cpp", "void f(int,int,int,int,int,int,int) {}"))[0])
         self.assertEqual([], list(check_budgets.problems_of("a.cpp", "void f() {\n" + "  g();\n" * 58 + "}\n")))
+
+    def functions(self, text):
+        return {one.name: one.functions for one in classes.classes_of(text)}
+
+    def test_all_that_a_class_declares_counts_private_and_with_bodies(self):
+        self.assertEqual({"A": 11}, self.functions("""
+class A final : public std::vector<int>, private B<int> {
+ public:
+  A();
+  explicit A(int x, std::map<int, int> y = {}) : x_{x}, y_(std::move(y)) { f(); }
+  ~A() = default;
+  A& operator=(const A&) = delete;
+  bool operator()(int) const { return true; }
+  explicit operator bool() const;
+  [[nodiscard]] virtual std::function<void(int)> f(
+      const std::vector<double>& heights = {0}) const = 0;
+  template <class T> requires std::same_as<T, int> void g(T t) { h({t}); }
+
+ private:
+  static constexpr auto kMost = std::min(3, 4);
+  void h() const;
+  auto i() -> int { if (x_) { return 1; } return 2; }
+  // void commented();
+  int j() const noexcept(true) { return 0; }
+  friend void swap(A& a, A& b);
+  using F = void (*)(int);
+  std::function<bool(const A&, int)> k_;
+  void (*l_)(int) = nullptr;
+  int x_{}, z_ = f(1);
+  std::map<int, int> y_;
+};"""))
+
+    def test_nested_classes_count_for_themselves(self):
+        self.assertEqual({"A": 1, "B": 2, "C": 0}, self.functions(
+            "class A { struct B { void f(); void g() {} } b_{}; enum class E { kA }; void h(); struct C { int x = 0; }; };"))
+
+    def test_a_class_with_too_many_member_functions_is_a_problem(self):
+        self.assertEqual([], list(check_budgets.problems_of_classes({("a.hpp", "A"): 40}, {})))
+        self.assertIn("A declares 41", list(check_budgets.problems_of_classes({("a.hpp", "A"): 41}, {}))[0])
+
+    def test_one_that_is_known_to_be_large_may_shrink_and_not_grow(self):
+        known = check_budgets.read_large_classes("# as they are\na.hpp A 45\n")
+        found = lambda count: list(check_budgets.problems_of_classes({("a.hpp", "A"): count}, known))
+        self.assertEqual([], found(45))
+        self.assertIn("45 are allowed", found(46)[0])
+        self.assertIn("is to say 44", found(44)[0])
+        self.assertIn("is to go", found(40)[0])
+        self.assertIn("is to go", list(check_budgets.problems_of_classes({}, known))[0])
 
     def test_code_without_tests_enough_is_told_how_many_lines_it_lacks(self):
         self.assertEqual([], list(check_budgets.problems_of_counts(0, 0)))

@@ -95,6 +95,17 @@ def without_comments(text, keep_strings=False):
     return _TOKENS.sub(blank, text)
 
 
+def matching(code, start, step, opening, closing):
+    """Where the bracket opened (or closed) at `start` ends, going by `step`; -1 if it does not."""
+    depth = 0
+    while 0 <= start < len(code):
+        depth += {opening: 1, closing: -1}.get(code[start], 0)
+        if depth == 0:
+            return start
+        start += step
+    return -1
+
+
 def finish(problems, passed):
     """Prints every problem and ends the program; `passed` is the line for when there is none."""
     for problem in problems:
