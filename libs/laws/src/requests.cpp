@@ -55,6 +55,12 @@ std::map<std::int64_t, std::string> componels_of(const History& history, const s
   return componels;
 }
 
+// Whoever is in closed air tries to leave for as long as it is there.
+bool leaves_closed_air(const Uav& uav, std::int64_t goal) {
+  const auto found = uav.goals.find(goal);
+  return found != uav.goals.end() && found->second.task.name == "leave-closed-air";
+}
+
 void judge(const History& history, const Uav& uav, std::vector<Violation>& result) {
   const std::map<std::int64_t, std::string> componels = componels_of(history, uav.name());
   std::map<std::pair<std::int64_t, std::string>, std::size_t> of_goals;
@@ -68,7 +74,8 @@ void judge(const History& history, const Uav& uav, std::vector<Violation>& resul
     // What comes behind it in the executive is dispatched in the same instant: nobody could know.
     const bool follows = !alike[what].empty() && alike[what].back() == one.from;
     alike[what].push_back(one.from);
-    if (goal == 0 || follows || ++of_goals[{goal, what}] != kOfAGoal + 1) continue;
+    if (goal == 0 || follows || leaves_closed_air(uav, goal)) continue;
+    if (++of_goals[{goal, what}] != kOfAGoal + 1) continue;
     result.push_back({"", one.from, uav.name(), goal,
                       one.type + " is asked for and refused for the " +
                           std::to_string(kOfAGoal + 1) + "th time: " + one.reason});

@@ -33,6 +33,22 @@ double time_to_leave(const Uav& uav, double depth) {
   return kReaction + turn + 2 * depth / (0.5 * model.cruise_speed);
 }
 
+struct Stay {
+  double from = 0, until = 0, deepest = 0;
+  bool stood = false;  ///< in there, before it set out
+};
+
+/// For how much of that time a fault lets it begin no flight [s].
+double kept_from_flying(const History& history, const Uav& uav, const Stay& stay) {
+  double total = 0;
+  for (const scenario::AbortSpec& fault : history.scenario->faults.aborts) {
+    if (fault.uav != uav.name() || fault.type != "goto") continue;
+    const double from = std::max(stay.from, fault.at.to_seconds());
+    total += std::max(0.0, std::min(stay.until, (fault.at + fault.lasts).to_seconds()) - from);
+  }
+  return total;
+}
+
 // One that cannot hover climbs in circles over its pad: once off the ground it has no other way.
 bool climbed_then(const Uav& uav, double at, double closed) {
   return !uav.spec->model.hovers &&
@@ -44,11 +60,6 @@ bool climbed_then(const Uav& uav, double at, double closed) {
 bool is_on_its_own(int degree) { return degree >= 4; }
 // Degree 1 included: the decision node hears what its vehicle says at any degree.
 bool is_in_a_hand(int degree) { return degree < 4; }
-
-struct Stay {
-  double from = 0, until = 0, deepest = 0;
-  bool stood = false;  ///< in there, before it set out
-};
 
 // Times in a volume, at a degree that is judged. Who waits beside one may be blown in by as much as
 // it wavers.
@@ -90,15 +101,18 @@ bool out_of_control(const Uav& uav, double at) {
 }
 
 std::vector<Violation> in_closed_air(const History& history) {
-  constexpr double kNoChoice = 12;  // [s] in which what comes across its way cannot be avoided
+  constexpr double kTurns = 12;  // [s] in which what comes across its way cannot be avoided
+  const auto& planning = history.scenario->planning;
+  const double no_choice = kTurns + (planning ? planning->takes_most.to_seconds() : 0);
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
     if (history.was_killed(name)) continue;
     for (const Closing& closing : uav.closings) {
       for (const Stay& stay : stays_in(uav, closing, is_on_its_own)) {
-        const bool caught = stay.stood || stay.from <= closing.known + kNoChoice ||
+        const bool caught = stay.stood || stay.from <= closing.known + no_choice ||
                             climbed_then(uav, stay.from, closing.known);
-        const double allowed = caught ? time_to_leave(uav, stay.deepest) : 0;
+        const double allowed =
+            caught ? time_to_leave(uav, stay.deepest) + kept_from_flying(history, uav, stay) : 0;
         const bool short_enough = caught && stay.until - stay.from <= allowed;
         if (short_enough || was_left_by_hand(history, uav, stay.from)) continue;
         const std::string where =

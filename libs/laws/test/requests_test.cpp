@@ -31,6 +31,16 @@ TEST(Asked, AGoalMayAskThreeTimesForWhatIsRefused) {
                                               "the 4th time: too low by 3")));
 }
 
+// Found by a storm (contingencies/air-closes-on-perception 308): it gave up leaving after three
+// refusals, gave itself the same goal again, and asked five times in eight seconds.
+TEST(Asked, WhoIsInClosedAirAsksForAsLongAsItIsThere) {
+  Story story;
+  story.goal("marvin", 701, "leave-closed-air", "under-way", 5);
+  for (int i = 0; i < 6; ++i) story.does("marvin", refused(100 + i, 701, 10 + 10 * i, "no"));
+
+  EXPECT_THAT(story.broken("asked"), IsEmpty());
+}
+
 TEST(Asked, OfWhatIsRefusedForDifferentReasonsThereMayBeMore) {
   Story story;
   for (int i = 0; i < 6; ++i)

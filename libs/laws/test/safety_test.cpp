@@ -41,6 +41,34 @@ TEST(ClosedAir, WhoIsCaughtInsideLeavesWithoutDelay) {
   EXPECT_THAT(leaves_after(100), ElementsAre(HasSubstr("stays")));
 }
 
+// Found by a storm (contingencies/air-closes-where-it-was-stopped 404).
+TEST(ClosedAir, WhoPlansSlowlyComesIntoItWhileItPlansToTurnAway) {
+  const auto planned_in = [](double seconds) {
+    Story story("", kClosing);
+    story.plans_in(seconds).flies("marvin", 0, 64, {-500, 50, 40}, {99, 50, 40});
+    story.flies("marvin", 65, 67, {102, 50, 40}, {106, 50, 40});
+    story.flies("marvin", 68, 80, {95, 50, 40}, {90, 50, 40}).step(50, "close", "marvin");
+    return story.broken("closed-air");
+  };
+
+  EXPECT_THAT(planned_in(7), IsEmpty());
+  EXPECT_THAT(planned_in(1), ElementsAre(HasSubstr("into 'smoke'")));
+}
+
+// Found by a storm (contingencies/air-closes-on-perception 308).
+TEST(ClosedAir, WhileAFaultAbortsAllFlightsNobodyLeaves) {
+  const auto told = [](const std::string& uav, const std::string& type) {
+    Story story("", kClosing);
+    story.refuses(40, uav, type, 80).flies("marvin", 0, 140, {150, 50, 40}, {150, 50, 40});
+    story.flies("marvin", 141, 155, {150, 50, 40}, {150, 150, 40}).step(50, "close", "marvin");
+    return story.broken("closed-air");
+  };
+
+  EXPECT_THAT(told("marvin", "goto"), IsEmpty());
+  EXPECT_THAT(told("marvin", "perceive"), ElementsAre(HasSubstr("stays")));
+  EXPECT_THAT(told("heliv", "goto"), ElementsAre(HasSubstr("stays")));
+}
+
 // Found by random missions (--anything 15): a robot whose home is closed drove out of it.
 TEST(ClosedAir, WhoStoodInItAtFirstMayLeaveButNotStay) {
   const auto leaves_after = [](double seconds) {

@@ -64,6 +64,17 @@ class Story {
       if (one.name == uav) one.model.abilities[name] = value;
     return *this;
   }
+  /// For so long its vehicle aborts all tasks of a type [s].
+  Story& refuses(double at, const std::string& uav, const std::string& type, double lasts) {
+    scenario_.faults.aborts.push_back(
+        {MissionTime::seconds(at), uav, type, Duration::seconds(lasts)});
+    return *this;
+  }
+  /// So long may a job of planning take [s].
+  Story& plans_in(double seconds) {
+    scenario_.planning->takes_most = Duration::seconds(seconds);
+    return *this;
+  }
   /// Of each link [bit/s].
   Story& capacity(double bits_per_second) {
     scenario_.radio.model.capacity = bits_per_second;

@@ -21,6 +21,8 @@ constexpr Duration kKept = Duration::milliseconds(500);
 // As long as it may take to hear of a beginning, and that part of the whole.
 constexpr Duration kUnseenMost = Duration::milliseconds(3'000);
 constexpr std::int64_t kUnseenPart = 20;  // one of so many
+/// Who is in closed air waits no longer until it tries again to leave: six times a minute.
+constexpr Duration kLeavesAgain = Duration::milliseconds(10'000);
 constexpr double kReachedMargin =
     2;  // [m] beyond what a vehicle arrives within, between two states
 
@@ -292,9 +294,14 @@ void Observer::see_aborted(Entry& entry) {
   refused(entry, what);
 }
 
+bool Observer::leaves_closed_air(const Entry& entry) const {
+  return book_.goals.at(entry.task.origin).task.name == kLeaveClosedAir;
+}
+
 // What was refused alike before is planned again after a pause; whatever else happens ends it.
 void Observer::pause_need(const Entry& entry, int refused) {
-  const Duration pause = pause_after(refused);
+  const Duration most = leaves_closed_air(entry) ? kLeavesAgain : Duration::max();
+  const Duration pause = std::min(pause_after(refused), most);
   if (pause <= Duration()) return;
   agenda_.pause_until(now() + pause);
   out_.notice(book_.named(entry.task.origin) + ": its " + entry.task.type + " was refused " +
@@ -306,6 +313,9 @@ void Observer::pause_need(const Entry& entry, int refused) {
 void Observer::refused(const Entry& entry, const std::string& what) {
   const int times = refusals_.count(entry.task.type, entry.why, now());
   const auto before = agenda_.needed() ? std::optional(agenda_.needed()->not_before) : std::nullopt;
+  // Nothing is better to do in closed air: its vehicle does not use up its attempts to leave.
+  if (entry.cause != executive::AbortCause::kNoAir && leaves_closed_air(entry))
+    book_.goals.at(entry.task.origin).refined = 0;
   contingencies_.fail_goal(
       entry.task.origin, times > 1 ? what + " (" + std::to_string(times) + " times alike)" : what);
   if (!agenda_.needed()) return;

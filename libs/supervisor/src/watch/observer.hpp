@@ -46,6 +46,7 @@ class Observer {
   void settle_done(Entry& entry);
   void refused(const Entry& entry, const std::string& what);
   void pause_need(const Entry& entry, int refused);
+  bool leaves_closed_air(const Entry& entry) const;
   Duration retry_after(const Loose& loose, const std::string& why);
   void tell_beside_its_times(const Entry& entry, bool ends);
   void tell_progress(GoalId id);

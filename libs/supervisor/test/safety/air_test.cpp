@@ -148,6 +148,30 @@ TEST(SupervisorWorld, ClosedAroundAUavThatWaitsIsLeftFirst) {
   EXPECT_EQ(desk.repair().failed_at, 1U);
 }
 
+// Found by a storm (contingencies/air-closes-on-perception 308): pauses grew to 40 s.
+TEST(SupervisorWorld, WhichAVehicleRefusesToLeaveIsTriedAgainEveryTenSeconds) {
+  Desk desk = waiting();
+  desk.at(30).give(closed("fire", kHere));
+  desk.aborted_as_asked(100);
+  const std::uint64_t leaving = desk.repair().remaining.at(0).id.value();
+
+  std::vector<Duration> pauses;
+  for (std::uint64_t id = 200; id < 800; id += 100) {
+    desk.finish(repaired(RepairStep::kRefine, {leaving, 701}, {TaskOf(id, "goto", leaving)}));
+    const MissionTime refused = desk.now;
+    desk.aborted(id, "no");
+    for (int i = 0; i < 60 && !desk.job_started(); ++i) {
+      desk.now = desk.now + secs(1);
+      desk.give(Tick{});
+    }
+    ASSERT_TRUE(desk.job_started());
+    EXPECT_TRUE(desk.repair().refine_failed) << "it is not given up";
+    pauses.push_back(desk.now - refused);
+  }
+
+  EXPECT_THAT(pauses, ElementsAre(secs(0), secs(5), secs(10), secs(10), secs(10), secs(10)));
+}
+
 // It braked towards it when it closed, and has come to rest inside.
 TEST(SupervisorWorld, ThatItWasCarriedIntoIsLeft) {
   Desk desk = waiting();
