@@ -15,6 +15,10 @@ using Word = interaction::Status::Word;
 
 constexpr const char* kRoleAllocation = "role-allocation";
 constexpr Duration kReallocation = Duration::milliseconds(10'000);
+// Then an area is not shared.
+constexpr Duration kSharingPatience = Duration::milliseconds(240'000);
+// Whoever does not answer, be it for a cut, is asked again; then the role goes on without a place.
+constexpr Duration kPlacesPatience = Duration::milliseconds(30'000);
 constexpr Duration kStand = Duration::milliseconds(20'000);  // of roles that were just confirmed
 
 }  // namespace
@@ -27,7 +31,9 @@ RoleTalks::RoleTalks(const PlaySurroundings& of, const Parts& parts)
       self_(of.host.config().uav),
       course_(parts.course),
       share_(parts.share),
-      record_(parts.record) {}
+      record_(parts.record),
+      sharing_(kSharingPatience),
+      places_(kPlacesPatience) {}
 
 MissionTime RoleTalks::now() const { return host_.bus().now(); }
 
@@ -37,8 +43,8 @@ void RoleTalks::note(const std::string& text) {
 
 void RoleTalks::begin_anew() {
   actions_.clear();
-  sharing_again_.reset();
-  places_again_.reset();
+  sharing_.stop();
+  places_.stop();
   roles_stand_until_.reset();
 }
 
@@ -80,8 +86,8 @@ void RoleTalks::withdraw(const std::string& action) {
     interaction_.withdraw(negotiated->second, my_.why.empty() ? "left" : my_.why);
     actions_.erase(negotiated);
   }
-  if (sharing_again_ && sharing_again_->action == action) sharing_again_.reset();
-  if (places_again_ && places_again_->action == action) places_again_.reset();
+  sharing_.stop(action);
+  places_.stop(action);
   course_.tell_status(action, Word::kAborted);
 }
 
@@ -99,15 +105,12 @@ bool RoleTalks::decided(const interaction::Terms& terms,
 }
 
 void RoleTalks::time_passes() {
-  if (sharing_again_ && sharing_again_->is_due(now())) share_area(sharing_again_->action);
-  if (places_again_ && places_again_->is_due(now())) negotiate_places(places_again_->action);
+  if (const auto action = sharing_.due(now())) share_area(*action);
+  if (const auto action = places_.due(now())) negotiate_places(*action);
 }
 
 std::optional<MissionTime> RoleTalks::next_wakeup() const {
-  std::optional<MissionTime> next;
-  if (sharing_again_) next = earliest(next, sharing_again_->at);
-  if (places_again_) next = earliest(next, places_again_->at);
-  return next;
+  return earliest(sharing_.next(), places_.next());
 }
 
 // ---- who plays what ----

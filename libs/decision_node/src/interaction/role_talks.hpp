@@ -7,6 +7,7 @@
 #include <string>
 
 #include "interaction/area_share.hpp"
+#include "interaction/asking_again.hpp"
 #include "interaction/role_course.hpp"
 #include "interaction/role_record.hpp"
 #include "skein/negotiation/negotiation_manager.hpp"
@@ -44,15 +45,6 @@ class RoleTalks {
   std::optional<MissionTime> next_wakeup() const;
 
  private:
-  /// A negotiation to be repeated since nothing was agreed.
-  struct Again {
-    std::string action;
-    std::optional<MissionTime> at;  ///< absent: under negotiation
-    MissionTime until;
-    std::string why = {};  ///< nothing was agreed the last time
-    bool is_due(MissionTime now) const { return at && *at <= now; }
-  };
-
   MissionTime now() const;
   /// The beginning of a session among the parties of an action, about nothing yet.
   interaction::BeginNegotiation session(const std::string& action, const std::string& modality,
@@ -85,7 +77,7 @@ class RoleTalks {
   std::map<std::string, std::string> actions_;  ///< under negotiation, to their subjects
   /// After the members agreed that all keep their roles, no new role negotiation before this.
   std::optional<MissionTime> roles_stand_until_;
-  std::optional<Again> sharing_again_, places_again_;
+  AskingAgain sharing_, places_;
 };
 
 }  // namespace skein::decision_node

@@ -13,8 +13,6 @@ using Word = interaction::Status::Word;
 
 // A session. In half of it each reckons the division, beside whatever its computer has to do.
 constexpr Duration kSharing = Duration::milliseconds(120'000);
-constexpr Duration kAgain = Duration::milliseconds(1'000);
-constexpr Duration kPatience = Duration::milliseconds(240'000);  // then it is not shared
 
 // At first the area that the action names, then what is nobody's any more.
 std::vector<world::Polygon> areas_to_share(const AreaShare& share, const RolePlay& play,
@@ -33,21 +31,23 @@ std::vector<world::Polygon> areas_to_share(const AreaShare& share, const RolePla
 void RoleTalks::share_area(const std::string& action) {
   const std::vector<world::Polygon> areas =
       areas_to_share(share_, course_.play(), action, *host_.world());
-  const MissionTime until = sharing_again_ ? sharing_again_->until : now() + kPatience;
-  const std::string before = sharing_again_ ? sharing_again_->why : "";
-  sharing_again_.reset();
   interaction::BeginNegotiation begin = session(action, kAreaSharing, kSharing);
   for (const world::Polygon& area : areas)
     begin.parameters.push_back(interaction::row_of("area", area));
   if (begin.members.size() == 1) {
+    sharing_.stop();
     share_.take(areas);
     return course_.tell_status(action, Word::kEnded);
   }
-  if (now() >= until) return task_.leave("the area could not be shared: " + before);
+  sharing_.ask(action, now());  // it may fail at once
+  if (!sharing_.lasts(now())) {
+    const std::string why = sharing_.why();
+    sharing_.stop();
+    return task_.leave("the area could not be shared: " + why);
+  }
   actions_[action] = begin.subject;
-  sharing_again_ = Again{action, std::nullopt, until, before};  // it may fail at once
   if (interaction_.begin(my_.joint, std::move(begin))) return;
-  sharing_again_.reset();
+  sharing_.stop();
   actions_.erase(action);
   // Nothing was left to whoever was lost, and nobody asks for more.
   if (areas.empty() && share_.agreed()) return course_.tell_status(action, Word::kEnded);
@@ -62,13 +62,11 @@ void RoleTalks::area_shared(const interaction::Terms& terms,
   if (!action) return;
   if (outcome.kind == Kind::kAgreed) {
     actions_.erase(*action);
-    sharing_again_.reset();
+    sharing_.stop();
     return course_.tell_status(*action, Word::kEnded);
   }
   note("the area is not shared yet: " + outcome.why);
-  if (!sharing_again_) return;
-  sharing_again_->at = now() + kAgain;
-  sharing_again_->why = outcome.why;
+  sharing_.not_agreed(outcome.why, now());
 }
 
 }  // namespace skein::decision_node

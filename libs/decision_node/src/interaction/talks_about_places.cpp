@@ -12,9 +12,6 @@ using Kind = interaction::NegotiationOutcome::Kind;
 using Word = interaction::Status::Word;
 
 constexpr Duration kSession = Duration::milliseconds(10'000);
-constexpr Duration kAskedAgain = Duration::milliseconds(1'000);
-// Whoever does not answer, be it for a cut, is asked again; then the role goes on without a place.
-constexpr Duration kAskedFor = Duration::milliseconds(30'000);
 constexpr const char* kPlace = "place";  // of an action's `out`
 
 }  // namespace
@@ -23,22 +20,21 @@ void RoleTalks::negotiate_places(const std::string& action) {
   const RolePlay& play = course_.play();
   const interaction::Automaton& automaton = play.automaton();
   const interaction::CoordinationAction& what = *automaton[*automaton.find(action)].action();
-  const bool again = places_again_ && places_again_->action == action;
-  const MissionTime until = again ? places_again_->until : now() + kAskedFor;
-  places_again_.reset();
   interaction::BeginNegotiation begin = session(action, what.modality, kSession);
   auto terms = place_terms(what, play.scope(), begin.members.size(), course_.outlook());
   if (!terms) {
     note(action + ": " + terms.error().why);
+    places_.stop();
     actions_.erase(action);
     return course_.tell_status(action, Word::kAborted);
   }
   begin.parameters = std::move(*terms);
   actions_[action] = begin.subject;
+  if (begin.members.size() == 1 || !places_.asks(action)) places_.stop();
   if (begin.members.size() == 1) return take_place_alone(begin);
-  places_again_ = Again{action, std::nullopt, until};  // it may fail at once
+  places_.ask(action, now());  // it may fail at once
   if (interaction_.begin(my_.joint, std::move(begin))) return;
-  places_again_.reset();
+  places_.stop();
   actions_.erase(action);
   course_.tell_status(action, Word::kAborted);
 }
@@ -66,12 +62,10 @@ void RoleTalks::places_agreed(const interaction::Terms& terms,
   const std::string& action = *asked;
   const bool is_agreed = outcome.kind == Kind::kAgreed;
   if (!is_agreed) note(action + ": " + outcome.why);
-  const bool asks = places_again_ && places_again_->action == action;
-  if (!is_agreed && asks && now() + kAskedAgain < places_again_->until) {
-    places_again_->at = now() + kAskedAgain;
-    return;
-  }
-  if (asks) places_again_.reset();
+  const bool asks = places_.asks(action);
+  if (!is_agreed && asks && places_.lasts(now() + AskingAgain::kPause))
+    return places_.not_agreed(outcome.why, now());
+  places_.stop(action);
   actions_.erase(action);
   if (!is_agreed) return course_.tell_status(action, Word::kAborted);
   take_place(action, terms, outcome.result);

@@ -92,6 +92,16 @@ TEST_F(ScoutsTalk, AnAreaThatIsNotSharedIsAskedForAgainAfterASecond) {
   EXPECT_THAT(course_.told, IsEmpty());
 }
 
+TEST_F(ScoutsTalk, AnActionWithALongNameIsAskedForAgainByThatName) {
+  talks_.negotiate("divide-the-whole-field");
+  course_.interaction.withdraw(subject(kAreaSharing), "test");
+  (void)decided(kAreaSharing, Kind::kFailed);
+  course_.at(2);
+  talks_.time_passes();
+  (void)decided(kAreaSharing, Kind::kAgreed, halves());
+  EXPECT_THAT(course_.told, ElementsAre("divide-the-whole-field ended"));
+}
+
 TEST_F(ScoutsTalk, AnActionThatIsWithdrawnIsNotAskedForAgain) {
   talks_.negotiate("divide");
   (void)decided(kAreaSharing, Kind::kFailed);

@@ -36,6 +36,7 @@ roles:
         - {task: pursue, type: follow, params: {target: vehicle}}
         - {task: sweep, type: map-area, params: {area: area}}
         - {action: divide, modality: area-sharing, in: {area: area}}
+        - {action: divide-the-whole-field, modality: area-sharing, in: {area: area}}
         - {action: keep, modality: area-sharing, in: {area: area}}
         - {action: swap, modality: role-allocation}
         - {action: haggle, modality: task-auction}
@@ -59,6 +60,7 @@ models:
           arity: {scout: {at-least: 1}, spare: {at-least: 0}}
           actions:
             - {role: scout, action: divide, with: scout, target: divide, who: everyone}
+            - {role: scout, action: divide-the-whole-field, with: scout, target: divide-the-whole-field, who: everyone}
             - {role: scout, action: swap, with: scout, target: swap, who: everyone}
             - {role: scout, action: keep, with: spare, target: keep, who: everyone}
             - {role: spare, action: keep, with: scout, target: keep, who: everyone}
