@@ -63,13 +63,9 @@ Status TeamMember::Core::status() const {
 
 void TeamMember::Core::keep_ledger() {
   take_status(setup_.self, status());
-  for (auto& [member, known] : known_) {
-    if (!known.news) continue;
-    take_status(member, *known.news);
-    known.news.reset();
-  }
+  for (const auto& [member, news] : followers_.take_news()) take_status(member, news);
   const MissionTime since = now_ - setup_.limits.patience - setup_.limits.patience;
-  if (held_since_ < since && !majority(heard_since(since))) return follow();
+  if (held_since_ < since && !majority(followers_.heard_since(since))) return follow();
   const std::set<MemberNumber> here = present();
   std::erase_if(took_part_, [&](MemberNumber member) { return !here.contains(member); });
   resell();
@@ -219,9 +215,8 @@ void TeamMember::Core::resell() {
       if (owner == setup_.self || entry.finished.contains(owner)) continue;
       const bool lost = ledger().losses.is_lost(owner);
       const bool may_run = entry.stage == Stage::kGranted && !entry.task.repeatable;
-      const auto known = known_.find(owner);
       const MissionTime heard =
-          known == known_.end() ? held_since_ : std::max(held_since_, known->second.heard);
+          std::max(held_since_, followers_.heard(owner).value_or(held_since_));
       const bool late = now_ - heard > setup_.limits.lease;
       if (lost || (late && !may_run)) {
         silent.emplace_back(task, owner);

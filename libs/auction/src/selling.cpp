@@ -49,8 +49,7 @@ bool waits(const std::deque<ToMember>& calls, const ToMember& call) {
 
 // Who was heard lately and bids.
 std::set<MemberNumber> TeamMember::Core::present() const {
-  std::set<MemberNumber> members = heard_since(now_ - setup_.limits.patience);
-  std::erase_if(members, [this](MemberNumber member) { return !known_.at(member).bids; });
+  std::set<MemberNumber> members = followers_.bidding_since(now_ - setup_.limits.patience);
   if (bids_) members.insert(setup_.self);
   std::erase_if(members, [this](MemberNumber member) { return ledger().losses.is_lost(member); });
   return members;
@@ -60,9 +59,8 @@ std::set<MemberNumber> TeamMember::Core::present() const {
 // been told what the tasks are: the ledger says it, calls do not.
 bool TeamMember::Core::is_to_sell(const std::set<MemberNumber>& here) const {
   const auto any_unheard = [this] {
-    const std::vector<MemberNumber> members = others();
-    return std::any_of(members.begin(), members.end(), [this](MemberNumber member) {
-      return !known_.contains(member) && !ledger().losses.is_lost(member);
+    return std::any_of(others_.begin(), others_.end(), [this](MemberNumber member) {
+      return !followers_.has_heard(member) && !ledger().losses.is_lost(member);
     });
   };
   // Who has just taken the token has heard nobody: all have the time of a beat to answer its first.
@@ -72,7 +70,7 @@ bool TeamMember::Core::is_to_sell(const std::set<MemberNumber>& here) const {
   if (here.empty() || !worth_selling(ledger(), joined, now_ >= retry_at_)) return false;
   const std::uint64_t newest = newest_for_sale(ledger());
   return std::all_of(here.begin(), here.end(), [&](MemberNumber member) {
-    return member == setup_.self || known_.at(member).revision >= newest;
+    return member == setup_.self || followers_.has(member, newest);
   });
 }
 

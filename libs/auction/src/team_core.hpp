@@ -8,13 +8,13 @@
 #include <set>
 #include <vector>
 
+#include "followers.hpp"
 #include "held_sale.hpp"
 #include "kept_back.hpp"
 #include "own_work.hpp"
 #include "skein/auction/bidder.hpp"
 #include "skein/auction/team_member.hpp"
 #include "skein/foundation/random.hpp"
-#include "skein/foundation/repeats.hpp"
 #include "task_ends.hpp"
 
 namespace skein::auction {
@@ -34,28 +34,10 @@ class TeamMember::Core {
   bool holds_token() const { return role_ == Role::kHolder; }
   const Ledger& ledger() const { return *disk_.ledger; }
   bool has_ended(const Claim& claim) const { return own_.has_ended(claim); }
-  void declare(MemberNumber member, bool lost);
   bool majority(const std::set<MemberNumber>& members) const;
 
  private:
   enum class Role { kFollower, kCandidate, kHolder };
-  struct Known {
-    MissionTime heard;
-    std::uint64_t revision = 0;  ///< greatest ledger revision that the member reported
-    std::uint64_t last = 0;      ///< last reported one: less if it restarted without its disk
-    bool bids = true;
-    std::optional<Status> news;  ///< last status that is not yet in the ledger
-  };
-
-  /// The ledger as a member was told it, which has not said that it has it.
-  struct Telling {
-    std::uint64_t revision = 0;
-    Repeats again;
-
-    /// Whether it is told in this beat.
-    bool is_due(MissionTime now, Duration beat);
-  };
-
   // token.cpp
   void on(const Beat& beat, MemberNumber from);
   void on(const Status& status, MemberNumber from);
@@ -70,8 +52,6 @@ class TeamMember::Core {
   void hold();
   void beat();
   void commit();
-  std::set<MemberNumber> heard_since(MissionTime since) const;
-  std::vector<MemberNumber> others() const;
 
   // keeping.cpp: changes that the holder makes to the ledger
   void keep_ledger();
@@ -101,6 +81,7 @@ class TeamMember::Core {
   TeamSetup setup_;
   Disk disk_;
   OwnWork own_;  ///< works on disk_
+  std::vector<MemberNumber> others_;
   MemberNames names_;
   Random random_;
   Role role_ = Role::kFollower;
@@ -110,8 +91,7 @@ class TeamMember::Core {
   std::optional<MissionTime> last_beat_;
   bool trial_ = false;
   std::set<MemberNumber> votes_;
-  std::map<MemberNumber, Known> known_;
-  std::map<MemberNumber, Telling> told_;
+  Followers followers_;  ///< since it holds the token
   std::uint64_t committed_ = 0;
   bool changed_ = false;
   std::set<MemberNumber> took_part_;  ///< members of the last sale that this member held

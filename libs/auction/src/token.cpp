@@ -19,9 +19,11 @@ TeamMember::Core::Core(TeamSetup setup)
     : setup_(std::move(setup)),
       disk_(std::move(setup_.disk)),
       own_(setup_.self, setup_.limits, disk_),
+      others_(setup_.roster),
       names_{setup_.names},
       random_(setup_.seed, "auction/team/" + to_text(setup_.self)) {
   if (!disk_.ledger) disk_.ledger = std::make_shared<const Ledger>();
+  std::erase(others_, setup_.self);
   bids_ = setup_.craft != nullptr;
   // What ran when it crashed has stopped.
   for (const auto& [task, sale] : disk_.started) {
@@ -35,6 +37,10 @@ TeamEffects TeamMember::Core::handle(const TeamInput& input, MissionTime now) {
   effects_.clear();
   if (!started_) follow();
   started_ = true;
+  const auto declare = [this](MemberNumber member, bool lost) {
+    losses_.learn(ledger().losses);
+    losses_.declare(member, lost);
+  };
   std::visit(Overloaded{
                  [this](const Heard& heard) {
                    std::visit([&](const auto& message) { on(message, heard.from); }, heard.message);
@@ -46,8 +52,8 @@ TeamEffects TeamMember::Core::handle(const TeamInput& input, MissionTime now) {
                  [this](const TaskDone& done) { stored_ |= own_.done(done.task, now_); },
                  [this](const TaskPutBack& back) { stored_ |= own_.put_back(back); },
                  [this](const Bids& bids) { bids_ = bids.bids && setup_.craft != nullptr; },
-                 [this](const DeclaredLost& lost) { declare(lost.member, true); },
-                 [this](const DeclaredFound& found) { declare(found.member, false); },
+                 [&](const DeclaredLost& lost) { declare(lost.member, true); },
+                 [&](const DeclaredFound& found) { declare(found.member, false); },
                  [](const Tick&) {},
              },
              input);
@@ -69,19 +75,6 @@ std::optional<MissionTime> TeamMember::Core::next_wakeup() const {
   return earliest(beat_at_, sale_ ? sale_->auctioneer.next_wakeup() : std::nullopt);
 }
 
-std::vector<MemberNumber> TeamMember::Core::others() const {
-  std::vector<MemberNumber> others;
-  for (const MemberNumber member : setup_.roster) {
-    if (member != setup_.self) others.push_back(member);
-  }
-  return others;
-}
-
-void TeamMember::Core::declare(MemberNumber member, bool lost) {
-  losses_.learn(ledger().losses);
-  losses_.declare(member, lost);
-}
-
 // Of those that are not declared lost; it counts itself in.
 bool TeamMember::Core::majority(const std::set<MemberNumber>& members) const {
   std::size_t all = 0, with = 0;
@@ -91,14 +84,6 @@ bool TeamMember::Core::majority(const std::set<MemberNumber>& members) const {
     with += member == setup_.self || members.contains(member) ? 1 : 0;
   }
   return 2 * with > all;
-}
-
-std::set<MemberNumber> TeamMember::Core::heard_since(MissionTime since) const {
-  std::set<MemberNumber> members;
-  for (const auto& [member, known] : known_) {
-    if (known.heard >= since) members.insert(member);
-  }
-  return members;
 }
 
 void TeamMember::Core::tell(MemberNumber to, TeamMessage message) {
@@ -135,7 +120,7 @@ void TeamMember::Core::stand(bool trial) {
     stored_ = true;
   }
   const VoteRequest request{disk_.term + (trial ? 1 : 0), trial, ledger().term, ledger().revision};
-  for (const MemberNumber member : others()) tell(member, request);
+  for (const MemberNumber member : others_) tell(member, request);
   if (majority({})) trial ? stand(false) : hold();
 }
 
@@ -173,8 +158,7 @@ void TeamMember::Core::on(const NewerTerm& newer, MemberNumber) { adopt_term(new
 // The first thing it writes is its term: what older holders wrote is committed with it.
 void TeamMember::Core::hold() {
   role_ = Role::kHolder;
-  known_.clear();
-  told_.clear();
+  followers_ = {};
   wants_.clear();
   task_ends_ = {};
   kept_back_.clear();
@@ -187,23 +171,10 @@ void TeamMember::Core::hold() {
 
 void TeamMember::Core::beat() {
   beat_at_ = now_ + setup_.limits.beat;
-  for (const MemberNumber member : others()) {
-    const auto known = known_.find(member);
-    const bool has_it = known != known_.end() && known->second.last == ledger().revision;
-    const bool is_told = !has_it && told_[member].is_due(now_, setup_.limits.beat);
-    if (is_told) told_[member].revision = ledger().revision;
+  for (const MemberNumber member : others_) {
+    const bool is_told = followers_.is_told(member, ledger().revision, now_, setup_.limits.beat);
     tell(member, Beat{disk_.term, committed_, is_told ? disk_.ledger : nullptr});
   }
-}
-
-/// Whoever does not answer for longer than a beat is told the ledger ever more rarely: perhaps its
-/// channel carries no more, and would be full of ledgers that come too late.
-bool TeamMember::Core::Telling::is_due(MissionTime now, Duration beat) {
-  constexpr int kDoublings = 3;
-  if (!again.is_due(now)) return again.pause <= beat;
-  again.repeated(now, doubled(beat, kDoublings, Duration::max()));
-  again.pause = std::max(again.pause, beat);
-  return true;
 }
 
 void TeamMember::Core::on(const Beat& beat, MemberNumber from) {
@@ -223,26 +194,15 @@ void TeamMember::Core::on(const Beat& beat, MemberNumber from) {
 void TeamMember::Core::on(const Status& status, MemberNumber from) {
   adopt_term(status.term);
   if (role_ != Role::kHolder || status.term < disk_.term) return;
-  Known& known = known_[from];
-  known.heard = now_;
-  known.last = status.revision;
-  known.bids = status.bids;
-  known.revision = std::max(known.revision, status.revision);
-  known.news = status;
-  const auto told = told_.find(from);
-  if (told != told_.end() && status.revision >= told->second.revision) told_.erase(told);
+  followers_.hear(from, status, now_);
 }
 
 // The greatest revision that a majority has.
 void TeamMember::Core::commit() {
-  std::vector<std::uint64_t> revisions{ledger().revision};
-  for (const auto& [member, known] : known_) revisions.push_back(known.revision);
+  std::vector<std::uint64_t> revisions = followers_.revisions();
+  revisions.insert(revisions.begin(), ledger().revision);
   for (const std::uint64_t revision : revisions) {
-    std::set<MemberNumber> with;
-    for (const auto& [member, known] : known_) {
-      if (known.revision >= revision) with.insert(member);
-    }
-    if (revision > committed_ && majority(with)) {
+    if (revision > committed_ && majority(followers_.with(revision))) {
       committed_ = revision;
       changed_ = true;
     }

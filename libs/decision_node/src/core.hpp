@@ -60,37 +60,10 @@ class Core {
   void post_status(functional::Status status);
 
  private:
-  void on(const Started& started);
-  void on(const Command& command);
-  void on(const UnreadableCommand& command);
-  void on(const PlaceTold& told);
-  void on(const ElementaryRequest& asked);
-  void on(const GroundTaskSeen& seen) { tell_task(seen.event); }
-  void on(const StatusTold& told);
-  void on(const SyncMessage& message) { execution_.take(message); }
-  void on(const DegreeTold& told) { execution_.take(told); }
-  void on(const world::Telemetry& telemetry);
-  void on(const world::Perception& perception) { bus_.emit(PerceptionPassedOn{perception}); }
-  void on(const LayerForgot& forgot);
-  void on(const Contact& contact);
-  void on(const supervisor::JobFinished& done) { deliberation_.job_finished(done); }
-  /// A message about a joint task: passed on to the ground if the ground plays the role.
-  template <class Heard>
-  void on_joint(const Heard& heard) {
-    if (!voice_.passes_on(heard)) interaction_.hear(heard);
-  }
-  void on(const interaction::SessionMessage& message) { on_joint(message); }
-  void on(const PartnerSeen& seen) { on_joint(seen); }
-  void on(const JointTaskTold& told) { on_joint(told); }
-  void on(const GroundNegotiates& said) { voice_.say(said); }
-  void on(const GroundPlays& said) { voice_.say(said); }
-  void on(const ReckoningFinished& done) { interaction_.reckoned(done); }
-  void on(const DetoursPlanned& done) { team_.detours_planned(done); }
-  void on(const TeamTold& told) { team_.hear(told); }
-  void on(const MergeTold& told) { merging_.hear(told); }
-  void on(const WaySearched& done) { merging_.hear(done); }
-  void on(const FrontierTold& told) { meetings_.hear(told); }
-  void on(const Tick&);
+  /// To whom each kind of input goes (inputs.cpp).
+  class Inputs;
+
+  void told(const functional::Status& status);
   void pass_on(const functional::Status& status);
   void tell_board_if_changed();
   /// All components, in the order in which they are told of events.

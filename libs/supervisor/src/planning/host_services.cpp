@@ -129,9 +129,9 @@ Value PlannerHost::Services::refined(const Entry& entry, TermStore& store, Argum
   if (entry.when != 0 && !refinery_.air.has_windows()) {
     Term& when = named[entry.when + 1];
     const Departure then = departure(store, when);
-    when = refinery_.air.begins_in_flight(then) ? store.symbol("in-flight")
-           : refinery_.air.still_stands(then)   ? store.symbol("standing")
-                                                : kNil;
+    when = refinery_.air.start().in_flight(then) ? store.symbol("in-flight")
+           : refinery_.air.still_stands(then)    ? store.symbol("standing")
+                                                 : kNil;
   }
   const Term question = store.list(named);
   if (const auto known = known_.find(question); known != known_.end()) {

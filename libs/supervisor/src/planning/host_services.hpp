@@ -46,10 +46,8 @@ class PlannerHost::Services {
 
   Services(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed, refiners::Budget budget);
 
-  void flies_on(const world::Vector3& position, double heading) {
-    refinery_.air.flies_on(position, heading);
-  }
-  void stands_at(const world::Vector3& position) { refinery_.air.stands_at(position); }
+  /// Where the vehicle is now.
+  VehicleStart& start() { return refinery_.air.start(); }
 
   Value call(const Entry& entry, htn::TermStore& store, Arguments arguments);
 

@@ -14,10 +14,12 @@ PlannerHost::PlannerHost(std::shared_ptr<const Knowledge> knowledge,
 PlannerHost::~PlannerHost() = default;
 
 void PlannerHost::flies_on(const world::Vector3& position, double heading) {
-  services_->flies_on(position, heading);
+  services_->start().flies_on(position, heading);
 }
 
-void PlannerHost::stands_at(const world::Vector3& position) { services_->stands_at(position); }
+void PlannerHost::stands_at(const world::Vector3& position) {
+  services_->start().stands_at(position);
+}
 
 void PlannerHost::offer(htn::Functions& functions) const {
   for (const Services::Entry& entry : Services::table()) {

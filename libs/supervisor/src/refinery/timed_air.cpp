@@ -2,7 +2,6 @@
 #include "refinery/timed_air.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -26,8 +25,7 @@ constexpr double kLeastClearance = 5;  // [m]
 constexpr double kClimbShare = 0.8;    // of its rates, in ways of a vehicle that cannot hover
 constexpr double kJoining = 1.3;       // of its circle: it is joined from inside and outside
 constexpr int kAround = 8;
-constexpr std::array<double, 3> kUntilBegun = {0, 1, 2};  // [s] in which it goes on as it was
-constexpr double kSamePlace = 0.5;                        // [m]
+constexpr double kSamePlace = 0.5;  // [m]
 constexpr std::uint64_t kShaken =
     4;  // flights in thought with errors and gusts, beside the calm one
 
@@ -39,7 +37,8 @@ TimedAir::TimedAir(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed,
       cautious_(vehicle()),
       origin_(origin),
       seed_(seed),
-      budget_(std::move(budget)) {
+      budget_(std::move(budget)),
+      start_(vehicle()) {
   const auto& volumes = world().volumes;
   has_windows_ = std::any_of(volumes.begin(), volumes.end(), [&](const world::Volume& volume) {
     return volume.when.from > origin || volume.when.until != MissionTime::max();
@@ -50,26 +49,8 @@ TimedAir::TimedAir(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed,
   cautious_.descent_rate *= kClimbShare;
 }
 
-void TimedAir::flies_on(const Vector3& from, double heading) {
-  const double speed = vehicle().cruise_speed;
-  const auto after = [&](double seconds, double turn) {
-    const double mean = heading + turn / 2;  // of the arc's chord
-    const Vector3 there = from + seconds * speed * Vector3(std::cos(mean), std::sin(mean), 0);
-    in_flight_.push_back({there, heading + turn, speed});
-  };
-  in_flight_.clear();
-  for (const double seconds : kUntilBegun) after(seconds, 0);
-  // It may have begun with a circle.
-  const double turned = kUntilBegun.back() * speed / vehicle().min_turn_radius;
-  for (const double side : {-1.0, 1.0}) after(kUntilBegun.back(), side * turned);
-}
-
-bool TimedAir::begins_in_flight(const Departure& when) const {
-  return !in_flight_.empty() && when.least <= kUntilBegun.back();
-}
-
 bool TimedAir::still_stands(const Departure& when) const {
-  if (!stand_) return false;
+  if (!start_.stand()) return false;
   const double height = gazetteer().knowledge().altitude;
   return when.least < takeoff_times(height, vehicle(), world().wind).least +
                           landing_times(height, vehicle()).least;
@@ -78,14 +59,8 @@ bool TimedAir::still_stands(const Departure& when) const {
 // It circles around where it stands.
 double TimedAir::climb_radius(const Vector3& from, const Departure& when) const {
   if (vehicle().hovers) return vehicle().body_radius;
-  const bool there = still_stands(when) && (from - *stand_).head<2>().norm() < kSamePlace;
+  const bool there = still_stands(when) && (from - *start_.stand()).head<2>().norm() < kSamePlace;
   return vehicle().body_radius + vehicle().orbit_radius + (there ? 0 : stay_radius(vehicle()));
-}
-
-std::vector<Pose> TimedAir::poses(const Vector3& from) const {
-  const bool flies =
-      in_flight_now_ && !in_flight_.empty() && (from - in_flight_.front().at).norm() < kSamePlace;
-  return flies ? in_flight_ : poses_at(from, vehicle());
 }
 
 double TimedAir::longest(const Way& way) const {
@@ -205,7 +180,8 @@ bool TimedAir::met(const Way& way, const Volumes& volumes, double margin) const 
   const bool hovers = vehicle().hovers;
   if (hovers && !comes_near(way, volumes)) return false;
   return flights_meet(way, volumes, vehicle(), world().wind,
-                      {hovers ? margin / 2 : margin, kShaken}, poses(way.front()));
+                      {hovers ? margin / 2 : margin, kShaken},
+                      start_.poses(way.front(), in_flight_now_));
 }
 
 bool TimedAir::may_stay(const Vector3& at) {
@@ -242,7 +218,7 @@ bool TimedAir::stays_open(const Way& way, const Departure& when) const {
 
 Answer<Motion> TimedAir::kept_clear(const Vector3& from, const Departure& when, double seconds,
                                     const Planner& plan) {
-  const bool before = std::exchange(in_flight_now_, begins_in_flight(when));
+  const bool before = std::exchange(in_flight_now_, start_.in_flight(when));
   auto motion = clear_of_all(from, when, seconds, plan);
   in_flight_now_ = before;
   return motion;

@@ -6,9 +6,9 @@
 #include <map>
 #include <vector>
 
-#include "flight/autopilot.hpp"
 #include "planning/gazetteer.hpp"
 #include "refinery/motion.hpp"
+#include "refinery/vehicle_start.hpp"
 #include "skein/refiners/driving.hpp"
 #include "skein/refiners/path.hpp"
 #include "skein/refiners/setting.hpp"
@@ -26,16 +26,10 @@ class TimedAir {
     return {gazetteer_.of(uav), origin_, seed_, budget_};
   }
 
-  /// The vehicle is passing `from` now with that heading [rad]: a motion that begins there within
-  /// some seconds begins in flight.
-  void flies_on(const world::Vector3& from, double heading);
-  /// Whether a motion with this departure begins in flight; if it departs later, the vehicle
-  /// circles first.
-  bool begins_in_flight(const Departure& when) const;
-  /// The vehicle stands on the ground at `at`.
-  void stands_at(const world::Vector3& at) { stand_ = at; }
-  /// Whether the vehicle stands there still at departure, having had no time to fly and land. (A
-  /// landing of a vehicle that cannot hover ends somewhere on its circle.)
+  /// Where the vehicle is now, and whether motions begin in flight there.
+  VehicleStart& start() { return start_; }
+  /// Whether the vehicle stands where it does still at departure, having had no time to fly and
+  /// land. (A landing of a vehicle that cannot hover ends somewhere on its circle.)
   bool still_stands(const Departure& when) const;
   /// Greatest horizontal distance from `from` during the climb of a takeoff there [m].
   double climb_radius(const world::Vector3& from, const Departure& when) const;
@@ -122,7 +116,6 @@ class TimedAir {
   }
   bool comes_near(const refiners::Way& way, const Volumes& volumes) const;
   double longest(const refiners::Way& way) const;
-  std::vector<Pose> poses(const world::Vector3& from) const;
 
   Gazetteer gazetteer_;
   world::VehicleModel cautious_;
@@ -130,9 +123,8 @@ class TimedAir {
   std::uint64_t seed_;
   refiners::Budget budget_;
   bool has_windows_ = false;
-  std::optional<world::Vector3> stand_;
-  std::vector<Pose> in_flight_;  ///< possible initial poses of a motion that begins in flight
-  bool in_flight_now_ = true;    ///< whether the motion being planned may begin in flight
+  VehicleStart start_;
+  bool in_flight_now_ = true;  ///< whether the motion being planned may begin in flight
   std::map<Counted, world::Airspace> airspaces_;
 };
 
