@@ -279,7 +279,8 @@ void Merger::grant() {
 Claim Merger::claim() const {
   Claim claim{held_, request_, afterwards_, {}};
   if (!waits()) return claim;
-  claim.wanted = choices_[request_ != 0 ? choice_ : 0];
+  const bool only_intends = request_ == 0 && !afterwards_.empty();
+  claim.wanted = only_intends ? afterwards_ : choices_[request_ != 0 ? choice_ : 0];
   claim.waits_for = waits_for();
   return claim;
 }

@@ -225,6 +225,19 @@ TEST(Merger, WhenWhoIsAskedToMoveFindsNoAirTheNextIsAskedWithinTwoSeconds) {
   EXPECT_THAT(net.asked_aside(), ::testing::Contains(kA));
 }
 
+// Found by random missions (--crossing 610510): the next one moved to where it stood in its way.
+TEST(Merger, WhoFindsNoAirToMoveToTellsWhatItWantsAfterwards) {
+  Net net({kA, kB, kC});
+  net.stands(kC, {{100, 30}, {100, 30}, 5, 30, 50});
+  want_each_others_place(net);
+  net.run_for(0.6);
+  ASSERT_THAT(net.asked_aside(), ElementsAre(kB));
+  net.give(kB, Want{{{{{100, 0}, {100, 30}, 5, 30, 50}}}, {stretch(0, 100)}});
+  net.give(kA, Withdraw{});
+  net.run_for(0.5);
+  EXPECT_TRUE(overlap(net.member(kA).peers().others(), {stretch(40, 60)}));
+}
+
 TEST(Merger, WaitingForOneThatOnlyStaysIsNoCircle) {
   Net net({kA, kB});
   net.stands(kA, place(0));

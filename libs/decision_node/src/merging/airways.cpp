@@ -27,6 +27,8 @@ using world::Vector3;
 constexpr double kStep = 12;            // [m] between heights
 constexpr int kSteps = 5;               // heights above the one that was asked for
 constexpr double kUnderground = -1000;  // [m] below all ground: landings end anywhere above
+constexpr int kStepsDown = 2;
+constexpr double kOverGround = 5;  // [m] stay the margins of whoever gets out of the way downwards
 constexpr int kDirections = 8;
 constexpr std::array kRings{2, 4, 6, 8, 12, 18, 26, 36, 48};  // of what it takes to hold
 constexpr double kNearEnd = 1.05;  // an end is in what is reserved with what it has too much
@@ -157,7 +159,20 @@ Airway column_of(const functional::Request& request, double low, double high,
   return {request, std::nullopt, {column(at.head<2>(), low, high, margins)}, end, 0};
 }
 
-/// Up, and then to places around, at each of these heights above.
+/// Whether what is kept free below a place to stay is free of the ground there and around it.
+bool is_over_ground(const Vector3& place, const Margins& margins, const world::Terrain& terrain) {
+  const double least = place.z() - margins.level - kOverGround;
+  if (terrain.elevation(place.x(), place.y()) > least) return false;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kDirections;
+    const double x = place.x() + margins.hold * std::cos(angle);
+    const double y = place.y() + margins.hold * std::sin(angle);
+    if (terrain.elevation(x, y) > least) return false;
+  }
+  return true;
+}
+
+/// Up, then to places around, at each of these heights above, and at last down.
 std::vector<std::vector<Vector3>> lines_aside(const Vector3& from, double hold,
                                               const std::vector<double>& heights) {
   std::vector<std::vector<Vector3>> lines;
@@ -174,6 +189,8 @@ std::vector<std::vector<Vector3>> lines_aside(const Vector3& from, double hold,
       }
     }
   }
+  for (int step = 1; step <= kStepsDown; ++step)
+    lines.push_back({from, from - Vector3(0, 0, step * kStep)});
   return lines;
 }
 
@@ -300,7 +317,9 @@ Airways ways_aside(functional::TaskId id, const merging::Volumes& others,
   const Vector3 from = start_of(situation, margins);
   Airways all;
   for (const std::vector<Vector3>& points : lines_aside(from, margins.hold, heights)) {
-    if (overlap({stay_at(points.back(), margins)}, others)) continue;
+    const Vector3& end = points.back();
+    const bool is_low = end.z() < from.z() && !is_over_ground(end, margins, *config.terrain);
+    if (is_low || overlap({stay_at(end, margins)}, others)) continue;
     Airway one = flight({functional::Verb::kDispatch, id, "goto", {}}, points, margins, 0);
     if (is_clear(one.way->points(), margins.way, situation) && can_fly(one, config, situation))
       all.push_back(std::move(one));

@@ -92,8 +92,8 @@ functional::Request led_around(const functional::Request& request, const Merging
                                const std::shared_ptr<const world::World>& world);
 
 /// Short flights from where it rests to places that are free of `others`, the nearest first: up,
-/// then beside, at each of these heights above it [m]. Not the way there: where it is now is what
-/// others want. Precondition: it rests in the air.
+/// then beside, at each of these heights above it [m], at last down where the ground leaves room.
+/// Not the way there: where it is now is what others want. Precondition: it rests in the air.
 Airways ways_aside(functional::TaskId id, const merging::Volumes& others,
                    const MergingConfig& config, const AirwaySituation& situation,
                    const std::vector<double>& heights = {0});

@@ -12,9 +12,9 @@ namespace skein::merging {
 
 /// All that a member holds and wants. Complete: a receiver needs only the latest one.
 struct Claim {
-  Volumes held;                        ///< reserved: no other member may enter
-  std::uint64_t request = 0;           ///< number of the open request, increasing; 0: none
-  Volumes wanted;                      ///< asked for by the request, or intended without one
+  Volumes held;               ///< reserved: no other member may enter
+  std::uint64_t request = 0;  ///< number of the open request, increasing; 0: none
+  Volumes wanted;             ///< asked for by the request, or intended without one, at last (Want)
   std::vector<std::string> waits_for;  ///< members that hold some of `wanted`
   bool keeps = false;  ///< to the witness: the request is for air to be kept free (Standby)
   bool operator==(const Claim&) const = default;
