@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "script_actions.hpp"
 #include "skein/foundation/contract.hpp"
 
 namespace skein::ground_station {
@@ -202,7 +203,7 @@ void MissionPlanning::note(const Input& input, MissionTime now, Effects& effects
   } else if (const auto* acts = std::get_if<OperatorActs>(&input)) {
     note_operator(acts->does, now, effects);
   } else if (const auto* deed = std::get_if<DoActions>(&input)) {
-    do_now(*deed, now, effects);
+    perform(deed->actions, deed->asked_by, now, effects);
   } else {
     note_autonomy(input, now);
   }
@@ -275,11 +276,13 @@ MissionPlanning::Waiting* MissionPlanning::next_due(MissionTime now) {
   return first;
 }
 
-void MissionPlanning::do_now(const DoActions& asked, MissionTime now, Effects& effects) {
-  const Deed deed{asked.asked_by, now + script_.command_lifetime, effects};
-  for (const Action& action : asked.actions) {
+void MissionPlanning::perform(const std::vector<Action>& actions, const std::string& asked_by,
+                              MissionTime now, Effects& effects) {
+  ScriptActions deed({asked_by, now + script_.command_lifetime, subject(), terrain_}, effects);
+  for (const Action& action : actions) {
     if (finished_) return;
-    std::visit([&](const auto& it) { perform(it, deed); }, action);
+    deed.perform(action);
+    finished_ = deed.finished();
   }
 }
 
@@ -316,12 +319,9 @@ void MissionPlanning::fire(Waiting& waiting, MissionTime now, Effects& effects) 
   }
   const std::string asked_by =
       step != nullptr ? asked_by_step(step->name) : "operator " + waiting.operator_action->does;
-  const Deed deed{asked_by, now + script_.command_lifetime, effects};
-  for (const Action& action : step != nullptr ? step->actions : waiting.operator_action->actions) {
-    std::visit([&](const auto& it) { perform(it, deed); }, action);
-    if (finished_) return;
-  }
-  if (step == nullptr) return;
+  perform(step != nullptr ? step->actions : waiting.operator_action->actions, asked_by, now,
+          effects);
+  if (finished_ || step == nullptr) return;
   effects.emplace_back(StepDone{step->name});
   mark<OnStep>(now, [&](const OnStep& on) { return on.step == step->name; });
 }

@@ -95,39 +95,10 @@ class MissionPlanning {
   std::optional<MissionTime> due(const Waiting& waiting) const;
   std::optional<MissionTime> first_instant() const;
   Waiting* next_due(MissionTime now);
-  void do_now(const DoActions& deed, MissionTime now, Effects& effects);
   void fire(Waiting& waiting, MissionTime now, Effects& effects);
-  /// Context of actions: who asked for them, the expiry of their commands, and their effects.
-  struct Deed {
-    std::string asked_by;
-    MissionTime expires;
-    Effects& effects;
-    void issue(const std::string& uav, Request request) const;
-    void tell(const mission::ChangeWorld& change, const std::vector<std::string>& uavs) const;
-  };
-  void perform(const SendPlan& action, const Deed& deed);
-  void perform(const AbortTasks& action, const Deed& deed);
-  void perform(const SendMessage& action, const Deed& deed);
-  void perform(const UpdateConditions& action, const Deed& deed);
-  void perform(const SendMission& action, const Deed& deed);
-  void perform(const CancelMission& action, const Deed& deed);
-  void perform(const SetDegree& action, const Deed& deed);
-  void perform(const TakeInHand& action, const Deed& deed);
-  void perform(const GiveBack& action, const Deed& deed);
-  void perform(const ResumePlan& action, const Deed& deed);
-  void perform(const DropPlan& action, const Deed& deed);
-  void perform(const CloseAir& action, const Deed& deed);
-  void perform(const OpenAir& action, const Deed& deed);
-  void perform(const TellWorld& action, const Deed& deed);
-  void perform(const SendGlobalMission& action, const Deed& deed);
-  /// DeclareLost and DeclareFound, which the team and the partners are told as they are.
-  template <class Declared>
-  void perform(const Declared& action, const Deed& deed);
-  void perform(const PlayRole& action, const Deed& deed);
-  void perform(const Finish& action, const Deed& deed);
-  /// Replaces arguments by their resolved targets; returns why that fails, empty if it does not.
-  std::string put_targets(const std::vector<ArgumentTarget>& targets,
-                          const std::vector<mission::HighLevelTask*>& tasks) const;
+  /// In their order, until one ends the mission.
+  void perform(const std::vector<Action>& actions, const std::string& asked_by, MissionTime now,
+               Effects& effects);
   const Alarm* subject() const;
 
   Script script_;
