@@ -24,7 +24,7 @@ constexpr double kSpacing = 2;  // turn radii between points of arcs: none is ci
 constexpr double kPlastic = 0.7548776662466927;  // 1 / 1.3247…, the root of x³ = x + 1
 // Of a zone's box, to see what is seen of it: of a gap of 1 % some ten to twenty.
 constexpr int kSamples = 2400;
-constexpr double kRunIn = 3;  // turn radii before the first lane
+constexpr double kRunIn = 3;  // radii of its widest turn before the first lane
 // Waiting circles' radii, straight before a lane that is taken up again.
 constexpr double kRunInAgain = 2;
 constexpr double kLaneSpacing = 2.5;  // turn radii between way-points along lanes
@@ -102,6 +102,12 @@ double seen_part(const Polygon& zone, const world::Terrain& terrain,
     seen += is_seen ? 1 : 0;
   }
   return all == 0 ? 1 : static_cast<double>(seen) / static_cast<double>(all);
+}
+
+/// The radius of a turn over ground where the wind pushes it most [m].
+double widest_turn(const world::VehicleModel& vehicle, const world::Wind& wind) {
+  const double pushed = 1 + wind.speed / vehicle.cruise_speed;
+  return pushed * pushed * vehicle.min_turn_radius;
 }
 
 /// Where it turns by more than that it goes over to the next lane.
@@ -206,7 +212,7 @@ Way Sweeps::lanes_flown(const refiners::Coverage& task, const world::World& worl
       on_lane = true;
       const Vector3 early = point - beyond * ahead;
       if (way.empty() && !vehicle().hovers) {
-        double back = kRunIn * vehicle().min_turn_radius + beyond;
+        double back = kRunIn * widest_turn(vehicle(), world.wind) + beyond;
         while (back > beyond &&
                !(is_open(point - back * ahead) && air_.has_room(point - back * ahead)))
           back -= beyond;
