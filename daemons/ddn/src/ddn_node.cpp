@@ -14,7 +14,6 @@
 #include "skein/journal/lines/mission.hpp"
 #include "skein/journal/lines/radio.hpp"
 #include "skein/negotiation/area_offer.hpp"
-#include "skein/supervisor/area_sweep.hpp"
 #include "skein/team_translation/meetings.hpp"
 #include "skein/team_translation/team.hpp"
 #include "skein/team_translation/team_lines.hpp"
@@ -33,14 +32,6 @@ namespace {
 
 namespace dn = decision_node;
 using translation::to_wire;
-
-/// Of jobs: those of the supervisor come before.
-constexpr std::uint64_t kFirstReckoning = std::uint64_t{1} << 32U;
-constexpr std::uint64_t kFirstDetours = std::uint64_t{1} << 48U;
-constexpr std::uint64_t kFirstWaySearch = std::uint64_t{1} << 56U;
-
-/// Of a job that plans detours, with a real clock: more of them wait for the next one.
-constexpr Duration kDetours = Duration::milliseconds(250);
 
 dn::Config decision_config(const DdnConfig& config, const node::Roster& roster) {
   dn::Config result = config;
@@ -73,7 +64,7 @@ DdnNode::DdnNode(DdnConfig config, node::Roster roster)
       functional_(roster_.functional_of(roster_.find(uav_)->number)),
       degree_{
           .header = {}, .uav = uav_, .contact_policy = std::string(to_text(config.contact_policy))},
-      deliberation_(config.deliberation),
+      jobs_(config.deliberation),
       team_(config.team ? config.team->roster : team::Roster()),
       models_(versions_of(config.interaction)),
       decision_(decision_config(config, roster_)) {}
@@ -106,14 +97,7 @@ std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
     return dn::Contact{roster_.name_of(reach->peer), reach->peer == roster_.ground(),
                        reach->reachable};
   } else if (const auto* done = std::get_if<node::JobDone>(&input)) {
-    const auto* result = std::any_cast<supervisor::DeliberationResult>(&done->result);
-    if (result != nullptr) return supervisor::JobFinished{done->id, *result};
-    const auto* rows = std::any_cast<Result<interaction::Rows, Failure>>(&done->result);
-    if (rows != nullptr) return dn::ReckoningFinished{done->id - kFirstReckoning, *rows};
-    const auto* detours = std::any_cast<std::vector<supervisor::Detour>>(&done->result);
-    if (detours != nullptr) return dn::DetoursPlanned{done->id - kFirstDetours, *detours};
-    const auto* path = std::any_cast<std::optional<refiners::Path>>(&done->result);
-    if (path != nullptr) return dn::WaySearched{done->id - kFirstWaySearch, *path};
+    return Jobs::input_of(*done);
   } else if (const auto* lost = std::get_if<node::Undelivered>(&input)) {
     note(*lost);
   } else if (const auto* started = std::get_if<node::Started>(&input)) {
@@ -309,58 +293,13 @@ void DdnNode::carry_out(const dn::ShareTelemetry& effect) {
   send(roster_.find(effect.partner)->number, to_wire(effect.telemetry));
 }
 
-// It has all the time it needs: members whose clocks cut it short would reckon other results.
-void DdnNode::carry_out(const dn::StartReckoning& effect) {
-  const auto work = [terms = effect.terms,
-                     offers = effect.offers](const node::TimeIsUp& is_unwanted) -> std::any {
-    using Rows = Result<interaction::Rows, Failure>;
-    if (is_unwanted && is_unwanted()) return Rows(failure("nobody wants it any more"));
-    return interaction::reckon(
-        terms, offers, [](const auto& sweeper, const auto& part, const world::World& ground) {
-          return supervisor::seconds_of_sweep(
-              {sweeper.vehicle, sweeper.altitude, sweeper.swath, sweeper.start}, part,
-              std::make_shared<const world::World>(ground));
-        });
-  };
-  out_.push_back(node::StartJob{kFirstReckoning + effect.job, work});
-}
-
-void DdnNode::carry_out(const dn::StopReckoning& effect) {
-  out_.push_back(node::StopJob{kFirstReckoning + effect.job});
-}
-
-// No plan or repair waits for what only bids are made of.
-void DdnNode::carry_out(const dn::StartDetours& effect) {
-  const auto work = [request = effect.request](const node::TimeIsUp& time_is_up) -> std::any {
-    return supervisor::plan_detours(request, time_is_up);
-  };
-  out_.push_back(node::StartJob{kFirstDetours + effect.job, work, kDetours, true});
-}
-
-void DdnNode::carry_out(const dn::StartWaySearch& effect) {
-  const auto work = [search = effect.search](const node::TimeIsUp& is_unwanted) -> std::any {
-    return dn::search_way(search, is_unwanted);
-  };
-  out_.push_back(node::StartJob{kFirstWaySearch + effect.job, work, Duration::max(), true});
-}
-
-void DdnNode::carry_out(const supervisor::StartDeliberation& effect) {
-  const auto work = [deliberator = deliberator_,
-                     request = effect.request](const node::TimeIsUp& time_is_up) -> std::any {
-    return deliberator->deliberate(*request, time_is_up);
-  };
-  out_.push_back(node::StartJob{effect.job, work, deliberation_});
-}
-
-void DdnNode::carry_out(const supervisor::StopDeliberation& effect) {
-  out_.push_back(node::StopJob{effect.job});
-}
-
-// ---- for the journal ----
+// ---- for the journal, and jobs ----
 
 template <class Noted>
 void DdnNode::carry_out(const Noted& effect) {
-  if constexpr (requires { joint_lines::line_of(writer(), uav_, effect); }) {
+  if constexpr (requires { jobs_.effect_of(effect); }) {
+    out_.push_back(jobs_.effect_of(effect));
+  } else if constexpr (requires { joint_lines::line_of(writer(), uav_, effect); }) {
     log(joint_lines::line_of(writer(), uav_, effect));
   } else {
     log(line_of(writer(), effect));

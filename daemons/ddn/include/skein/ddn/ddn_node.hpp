@@ -8,12 +8,12 @@
 #include <string>
 #include <utility>
 
+#include "skein/ddn/jobs.hpp"
 #include "skein/ddn/sighting_budget.hpp"
 #include "skein/decision_node/decision_node.hpp"
 #include "skein/foundation/tally.hpp"
 #include "skein/node/node.hpp"
 #include "skein/node/roster.hpp"
-#include "skein/supervisor/deliberator.hpp"
 #include "skein/translation/journal_lines.hpp"
 
 namespace skein::ddn {
@@ -64,13 +64,7 @@ class DdnNode final : public node::Node {
   void carry_out(const decision_node::JointTaskChanged& effect);
   void carry_out(const decision_node::SpokenFor& effect);
   void carry_out(const decision_node::ShareTelemetry& effect);
-  void carry_out(const decision_node::StartReckoning& effect);
-  void carry_out(const decision_node::StopReckoning& effect);
-  void carry_out(const decision_node::StartDetours& effect);
-  void carry_out(const decision_node::StartWaySearch& effect);
-  void carry_out(const supervisor::StartDeliberation& effect);
-  void carry_out(const supervisor::StopDeliberation& effect);
-  // for the journal
+  // for the journal, and jobs
   template <class Noted>
   void carry_out(const Noted& effect);
   void carry_out(const decision_node::SaleNoted& effect);
@@ -89,10 +83,7 @@ class DdnNode final : public node::Node {
   node::NodeNumber functional_;  ///< the functional layer of its UAV
   wire::AutonomyDegree degree_;  ///< as last told
   std::set<node::NodeNumber> uavs_in_reach_;
-  Duration deliberation_;
-  /// Works in jobs, one after another; here it is only handed on.
-  std::shared_ptr<supervisor::Deliberator> deliberator_ =
-      std::make_shared<supervisor::Deliberator>();
+  Jobs jobs_;
   team::Roster team_;
   std::vector<wire::ModelVersion> models_;  ///< of joint tasks, that it has
   decision_node::DecisionNode decision_;
