@@ -14,6 +14,10 @@ namespace skein::interaction {
 /// Which of the two formulas of a block.
 enum class Side : std::uint8_t { kPrecondition, kExit };
 
+inline const Formula& formula_of(const Block& block, Side side) {
+  return side == Side::kPrecondition ? block.precondition : block.exit;
+}
+
 /// A formula of a block, to be evaluated again when one of its inputs changes.
 struct Watch {
   ComponelIndex block = 0;

@@ -15,7 +15,7 @@ Engine::Core::Core(std::shared_ptr<const Automaton> automaton)
     : automaton_(std::move(automaton)),
       compiled_(*automaton_),
       entries_(automaton_->size()),
-      armed_(compiled_.timers().size()) {
+      agenda_(compiled_.timers().size()) {
   SKEIN_EXPECTS(!automaton_->empty() && (*automaton_)[0].block() != nullptr);
 }
 
@@ -76,26 +76,26 @@ bool Engine::Core::step(Ripe& ripe, const Visit& visit) {
   return changed;
 }
 
-bool Engine::Core::leave_inactive(ComponelIndex block) {
-  const Watch watch{block, Side::kExit};
-  if (entries_[block].place != Place::kInactive || formula(watch).empty()) return false;
+bool Engine::Core::leave_inactive(ComponelIndex index) {
+  const Watch watch{index, Side::kExit};
+  if (entries_[index].place != Place::kInactive || block(index).exit.empty()) return false;
   if (truth(watch) != Truth::kTrue) return false;
   read(watch);
-  drop(block);
+  drop(index);
   return true;
 }
 
-bool Engine::Core::leave_active(ComponelIndex block) {
-  const Watch watch{block, Side::kExit};
-  const Entry& entry = entries_[block];
+bool Engine::Core::leave_active(ComponelIndex index) {
+  const Watch watch{index, Side::kExit};
+  const Entry& entry = entries_[index];
   if (entry.place != Place::kActive || entry.leaving != Leaving::kNot) return false;
-  if (formula(watch).empty() || truth(watch) != Truth::kTrue) return false;
-  const bool anew = continues(block);
+  if (block(index).exit.empty() || truth(watch) != Truth::kTrue) return false;
+  const bool anew = continues(index);
   read(watch);
   if (anew) {
-    leave(block, Leaving::kToRestart);
+    leave(index, Leaving::kToRestart);
   } else {
-    deactivate(block);
+    deactivate(index);
   }
   return true;
 }
@@ -123,14 +123,15 @@ void Engine::Core::make_inactive(ComponelIndex block) {
   entry.pending.clear();
   set_state(block, ComponelState::kScheduled);
   for (const Side side : {Side::kPrecondition, Side::kExit}) {
-    arm({block, side});
+    for (const std::size_t timer : compiled_.timers_of({block, side})) set_timer(timer);
     look_again({block, side});
   }
 }
 
 // scheduled → running, when its precondition is true.
 void Engine::Core::activate(ComponelIndex block) {
-  disarm({block, Side::kPrecondition});
+  for (const std::size_t timer : compiled_.timers_of({block, Side::kPrecondition}))
+    agenda_.clear(timer);
   entries_[block].place = Place::kActive;
   set_state(block, ComponelState::kRunning);
   look_again({block, Side::kExit});
@@ -227,8 +228,8 @@ void Engine::Core::finish(ComponelIndex index, ComponelState state) {
   Entry& entry = entries_[index];
   entry.place = Place::kOut;
   entry.leaving = Leaving::kNot;
-  disarm({index, Side::kPrecondition});
-  disarm({index, Side::kExit});
+  for (const Side side : {Side::kPrecondition, Side::kExit})
+    for (const std::size_t timer : compiled_.timers_of({index, side})) agenda_.clear(timer);
   set_state(index, state);
   if (index == 0) {
     over_ = true;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "agenda.hpp"
 #include "compiled.hpp"
 #include "skein/interaction/engine.hpp"
 #include "truth.hpp"
@@ -22,7 +23,7 @@ class Engine::Core {
   explicit Core(std::shared_ptr<const Automaton> automaton);
 
   Result<Effects, Failure> handle(const Input& input, MissionTime now);
-  std::optional<MissionTime> next_wakeup() const;
+  std::optional<MissionTime> next_wakeup() const { return agenda_.next(); }
   ComponelState state(ComponelIndex componel) const { return entries_[componel].state; }
   bool is_over() const { return over_; }
   const Automaton& automaton() const { return *automaton_; }
@@ -50,7 +51,6 @@ class Engine::Core {
   using Ripe = std::set<ComponelIndex>;
 
   const Block& block(ComponelIndex index) const { return *(*automaton_)[index].block(); }
-  const Formula& formula(Watch watch) const;
   bool listens(Watch watch) const;
   void emit(Effect::What what) { effects_.push_back({now_, std::move(what)}); }
 
@@ -63,10 +63,7 @@ class Engine::Core {
   void set_state(ComponelIndex componel, ComponelState state);
   void forget(ComponelIndex componel);
   void look_again(Watch watch);
-  void arm(Watch watch);
-  void disarm(Watch watch);
   void set_timer(std::size_t timer);
-  void clear_timer(std::size_t timer);
   void pass_until(MissionTime now);
   void hear(const std::string& message);
   void read(Watch watch);
@@ -97,8 +94,7 @@ class Engine::Core {
   Compiled compiled_;
   std::vector<Entry> entries_;
   Ripe inactive_exits_, active_exits_, preconditions_;
-  std::set<std::pair<MissionTime, std::size_t>> agenda_;  ///< future instants, with their timers
-  std::vector<std::optional<MissionTime>> armed_;         ///< by timer: its instant in `agenda_`
+  Agenda agenda_;  ///< future instants, by the timers of `compiled_`
   std::optional<MissionTime> started_;
   MissionTime now_ = MissionTime::nanoseconds(std::numeric_limits<std::int64_t>::min());
   std::uint64_t step_ = 1;

@@ -5,11 +5,6 @@
 
 namespace skein::interaction {
 
-const Formula& Engine::Core::formula(Watch watch) const {
-  return watch.side == Side::kPrecondition ? block(watch.block).precondition
-                                           : block(watch.block).exit;
-}
-
 // Preconditions matter in BI, exits in BI and BA.
 bool Engine::Core::listens(Watch watch) const {
   const Place place = entries_[watch.block].place;
@@ -57,7 +52,8 @@ Truth Engine::Core::truth(const Literal& literal, const Entry& block) const {
 
 Truth Engine::Core::truth(Watch watch) const {
   const Entry& entry = entries_[watch.block];
-  return truth_of(formula(watch), [&](const Literal& one) { return truth(one, entry); });
+  return truth_of(formula_of(block(watch.block), watch.side),
+                  [&](const Literal& one) { return truth(one, entry); });
 }
 
 // Whether all that is true of a loop's exit says so.
@@ -107,46 +103,22 @@ void Engine::Core::look_again(Watch watch) {
   }
 }
 
-void Engine::Core::arm(Watch watch) {
-  for (const std::size_t timer : compiled_.timers_of(watch)) set_timer(timer);
-}
-
-void Engine::Core::disarm(Watch watch) {
-  for (const std::size_t timer : compiled_.timers_of(watch)) clear_timer(timer);
-}
-
 // Its instant may have become known, another one, or unknown again.
 void Engine::Core::set_timer(std::size_t timer) {
-  clear_timer(timer);
+  agenda_.clear(timer);
   const auto& [watch, is] = compiled_.timers()[timer];
   if (!listens(watch)) return;
   look_again(watch);
   const auto at = instant(is);
-  if (!at || *at <= now_) return;
-  armed_[timer] = at;
-  agenda_.emplace(*at, timer);
-}
-
-void Engine::Core::clear_timer(std::size_t timer) {
-  if (!armed_[timer]) return;
-  agenda_.erase({*armed_[timer], timer});
-  armed_[timer].reset();
-}
-
-std::optional<MissionTime> Engine::Core::next_wakeup() const {
-  if (agenda_.empty()) return std::nullopt;
-  return agenda_.begin()->first;
+  if (at && *at > now_) agenda_.set(timer, *at);
 }
 
 // Instants pass one by one, each with cycles of its own.
 void Engine::Core::pass_until(MissionTime now) {
-  while (!agenda_.empty() && agenda_.begin()->first <= now) {
-    now_ = agenda_.begin()->first;
-    while (!agenda_.empty() && agenda_.begin()->first == now_) {
-      const std::size_t timer = agenda_.begin()->second;
-      clear_timer(timer);
-      look_again(compiled_.timers()[timer].watch);
-    }
+  while (const auto next = agenda_.next()) {
+    if (*next > now) break;
+    now_ = *next;
+    while (const auto timer = agenda_.take(now_)) look_again(compiled_.timers()[*timer].watch);
     run_cycles();
   }
   now_ = now;
@@ -164,7 +136,7 @@ void Engine::Core::hear(const std::string& message) {
 // All pending messages that the formula names without `not`, in the order in which it names them.
 void Engine::Core::read(Watch watch) {
   Entry& entry = entries_[watch.block];
-  for (const Clause& clause : formula(watch)) {
+  for (const Clause& clause : formula_of(block(watch.block), watch.side)) {
     for (const Literal& literal : clause) {
       const auto* is = std::get_if<MessagePending>(&literal.condition);
       if (is == nullptr || literal.negated || entry.pending.erase(is->message) == 0) continue;

@@ -57,7 +57,7 @@ std::uint32_t column_if_first_on_line(std::string_view text, std::uint32_t at) {
 
 Scanner::Scanner(Document& document, TermStore& store, Diagnostics& problems, bool guess_missing)
     : document_(document),
-      text_(document.text),
+      in_{document.text},
       store_(store),
       problems_(problems),
       guess_missing_(guess_missing),
@@ -68,11 +68,11 @@ Scanner::Scanner(Document& document, TermStore& store, Diagnostics& problems, bo
       comma_at_(store.symbol("comma-at")) {}
 
 bool Scanner::scan() {
-  if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
-  if (text_.substr(at_).starts_with("#!")) skip_line();
+  if (in_.text.starts_with("\xEF\xBB\xBF")) in_.at = 3;
+  if (in_.text.substr(in_.at).starts_with("#!")) skip_line();
   while (true) {
-    while (!at_end() && (traits_of(text_[at_]) & kSpaceByte) != 0) ++at_;
-    if (at_end() || !bounded()) return finish();
+    while (!in_.at_end() && (traits_of(in_.text[in_.at]) & kSpaceByte) != 0) ++in_.at;
+    if (in_.at_end() || !bounded()) return finish();
     if (!wanted_.empty() && frames_.empty() && pass_over_problem()) continue;
     next();
   }
@@ -81,16 +81,16 @@ bool Scanner::scan() {
 // False, and nothing is left to read: one step more would be beyond what is read of any text.
 bool Scanner::stop_at_bound() {
   const bool deep = frames_.size() >= kDeepestText;
-  error(offset(), (deep ? "nested more than " + std::to_string(kDeepestText) + " deep"
-                        : "more than " + std::to_string(kMostExpressions) + " expressions") +
-                      "; what follows is not read");
+  error(in_.offset(), (deep ? "nested more than " + std::to_string(kDeepestText) + " deep"
+                            : "more than " + std::to_string(kMostExpressions) + " expressions") +
+                          "; what follows is not read");
   cut_ = true;
-  at_ = text_.size();
+  in_.at = in_.text.size();
   return false;
 }
 
 void Scanner::next() {
-  switch (text_[at_]) {
+  switch (in_.text[in_.at]) {
     case '(':
       return open_list();
     case ')':
@@ -104,14 +104,14 @@ void Scanner::next() {
     case '`':
       return open_prefix(backquote_, 1);
     case ',':
-      if (peek(1) == '@' || peek(1) == '.') return open_prefix(comma_at_, 2);
+      if (in_.peek(1) == '@' || in_.peek(1) == '.') return open_prefix(comma_at_, 2);
       return open_prefix(comma_, 1);
     case '#':
       return read_hash();
     default:
-      if ((traits_of(text_[at_]) & kTokenByte) != 0) return read_token();
-      error(offset(), "stray control character");
-      ++at_;
+      if ((traits_of(in_.text[in_.at]) & kTokenByte) != 0) return read_token();
+      error(in_.offset(), "stray control character");
+      ++in_.at;
   }
 }
 
@@ -129,14 +129,14 @@ void Scanner::error(std::uint32_t where, std::string message, std::string expect
 // Lists
 
 void Scanner::open_list() {
-  if (guess_missing_) guess_missing_before(at_);
+  if (guess_missing_) guess_missing_before(in_.at);
   Frame frame;
   frame.node = static_cast<NodeIndex>(document_.nodes.size());
   frame.node_count = document_.nodes.size();
-  frame.begin = offset();
+  frame.begin = in_.offset();
   if (guess_missing_) {
-    frame.construct = construct_at(at_);
-    frame.column = column_if_first_on_line(text_, frame.begin);
+    frame.construct = construct_at(in_.at);
+    frame.column = column_if_first_on_line(in_.text, frame.begin);
     open_definitions_ += frame.construct == Construct::kDefinition ? 1 : 0;
     open_items_ += frame.construct == Construct::kItem ? 1 : 0;
   }
@@ -146,29 +146,29 @@ void Scanner::open_list() {
   document_.nodes.push_back(node);
   frames_.push_back(frame);
   document_.depth = std::max(document_.depth, ++depth_);
-  ++at_;
+  ++in_.at;
 }
 
 void Scanner::close_list() {
   while (!frames_.empty() && frames_.back().kind != Kind::kList) pop_frame();
   if (frames_.empty()) {
     error(
-        offset(), "unmatched ')'",
+        in_.offset(), "unmatched ')'",
         document_.top.empty()
             ? ""
             : "one ')' fewer since line " +
                   std::to_string(place_of(document_, document_[document_.top.back()].begin).line));
-    ++at_;
+    ++in_.at;
     return;
   }
-  ++at_;
+  ++in_.at;
   pop_list();
 }
 
 void Scanner::pop_list() {
   Frame frame = frames_.back();
   Node& list = document_.nodes[frame.node];
-  list.end = offset();
+  list.end = in_.offset();
   if (frame.dot == Dot::kSeen) error(list.end - 1, "no expression between '.' and ')'");
   if (frame.dot == Dot::kFilled) {
     const Node& tail = document_.nodes[frame.last];
@@ -190,7 +190,7 @@ void Scanner::open_prefix(Term word, std::size_t length) {
   frame.kind = Kind::kPrefix;
   frame.node = static_cast<NodeIndex>(document_.nodes.size());
   frame.node_count = document_.nodes.size();
-  frame.begin = offset();
+  frame.begin = in_.offset();
   Node list;
   list.begin = frame.begin;
   list.list = true;
@@ -203,26 +203,26 @@ void Scanner::open_prefix(Term word, std::size_t length) {
   document_.nodes.push_back(head);
   frames_.push_back(frame);
   document_.depth = std::max(document_.depth, ++depth_);
-  at_ += length;
+  in_.at += length;
 }
 
 void Scanner::open_frame(Kind kind, std::size_t length, bool plus) {
   Frame frame;
   frame.kind = kind;
   frame.plus = plus;
-  frame.begin = offset();
+  frame.begin = in_.offset();
   frame.node_count = document_.nodes.size();
   frames_.push_back(frame);
-  at_ += length;
+  in_.at += length;
 }
 
 // A frame that waits for an expression that does not come, or a list that ends here.
 void Scanner::pop_frame() {
   const Frame frame = frames_.back();
   if (frame.kind == Kind::kList) return pop_list();
-  const std::size_t length = frame.kind == Kind::kPrefix && text_[frame.begin] != '#' ? 1 : 2;
+  const std::size_t length = frame.kind == Kind::kPrefix && in_.text[frame.begin] != '#' ? 1 : 2;
   if (!cut_) {
-    error(frame.begin, "nothing follows " + std::string(text_.substr(frame.begin, length)),
+    error(frame.begin, "nothing follows " + std::string(in_.text.substr(frame.begin, length)),
           "an expression");
   }
   if (frame.kind == Kind::kPrefix) --depth_;
@@ -236,7 +236,7 @@ void Scanner::add_atom(Term atom, std::uint32_t begin) {
   Node node;
   node.atom = atom;
   node.begin = begin;
-  node.end = offset();
+  node.end = in_.offset();
   document_.nodes.push_back(node);
   datum_done(static_cast<NodeIndex>(document_.nodes.size() - 1));
 }
@@ -304,8 +304,8 @@ void Scanner::feature_done(NodeIndex node) {
 Scanner::Construct Scanner::construct_at(std::size_t at) const {
   std::size_t begin = at + 1;
   std::size_t end = begin;
-  while (end < text_.size() && (traits_of(text_[end]) & kTokenByte) != 0) ++end;
-  std::string_view word = text_.substr(begin, end - begin);
+  while (end < in_.text.size() && (traits_of(in_.text[end]) & kTokenByte) != 0) ++end;
+  std::string_view word = in_.text.substr(begin, end - begin);
   const std::size_t colon = word.rfind(':');
   if (colon != std::string_view::npos && colon > 0) word.remove_prefix(colon + 1);
   const auto is_word = [word](std::string_view known) { return same_without_case(word, known); };
@@ -329,7 +329,7 @@ void Scanner::guess_missing_before(std::size_t at) {
     close_unclosed(index);
     return;
   }
-  const std::uint32_t column = column_if_first_on_line(text_, static_cast<std::uint32_t>(at));
+  const std::uint32_t column = column_if_first_on_line(in_.text, static_cast<std::uint32_t>(at));
   if (column > 1 && suspect_ == kNoNode && !frames_.empty() && frames_.back().column == column) {
     suspect_ = frames_.back().begin;
     suspect_before_ = static_cast<std::uint32_t>(at);
@@ -343,7 +343,7 @@ void Scanner::close_unclosed(std::size_t frame) {
   }
   error(frames_[frame].begin, "unclosed '('",
         std::to_string(open) + (open == 1 ? " more ')'" : " more ')'s") + " before line " +
-            std::to_string(place_of(document_, offset()).line));
+            std::to_string(place_of(document_, in_.offset()).line));
   suspect_ = kNoNode;
   while (frames_.size() > frame) pop_frame();
 }

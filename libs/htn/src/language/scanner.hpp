@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "language/cursor.hpp"
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/htn/syntax.hpp"
 #include "skein/htn/term_store.hpp"
@@ -90,11 +91,6 @@ class Scanner {
   bool take_number(std::string_view token, std::uint32_t begin);
   void check_utf8(std::uint32_t begin, std::uint32_t end);
 
-  bool at_end() const { return at_ >= text_.size(); }
-  char peek(std::size_t ahead = 0) const {
-    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
-  }
-  std::uint32_t offset() const { return static_cast<std::uint32_t>(at_); }
   bool bounded() {
     const bool within = frames_.size() < kDeepestText && document_.nodes.size() < kMostExpressions;
     return within || stop_at_bound();
@@ -107,13 +103,12 @@ class Scanner {
   void error(std::uint32_t where, std::string message, std::string expected = "");
 
   Document& document_;
-  std::string_view text_;
+  Cursor in_;
   TermStore& store_;
   Diagnostics& problems_;
   bool guess_missing_;
   std::span<const std::string> wanted_;
   std::vector<std::string> passed_over_;
-  std::size_t at_ = 0;
   std::vector<Frame> frames_;
   std::uint32_t depth_ = 0;  ///< open lists
   std::size_t open_definitions_ = 0;

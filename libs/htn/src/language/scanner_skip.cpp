@@ -104,20 +104,20 @@ std::size_t end_of_list(std::string_view text, std::size_t at) {
 // True if (defproblem NAME …) begins here, is not wanted and was left behind. What is not plain is
 // read as everything else.
 bool Scanner::pass_over_problem() {
-  if (text_[at_] != '(') return false;
-  const std::string_view word = token_at(text_, at_ + 1);
+  if (in_.text[in_.at] != '(') return false;
+  const std::string_view word = token_at(in_.text, in_.at + 1);
   if (lowered(word) != "defproblem") return false;
-  std::size_t begin = at_ + 1 + word.size();
-  while (begin < text_.size() && (traits_of(text_[begin]) & kSpaceByte) != 0) ++begin;
-  const std::string_view token = token_at(text_, begin);
+  std::size_t begin = in_.at + 1 + word.size();
+  while (begin < in_.text.size() && (traits_of(in_.text[begin]) & kSpaceByte) != 0) ++begin;
+  const std::string_view token = token_at(in_.text, begin);
   if (!plain_name(token)) return false;
   const std::string name = lowered(token);
   const auto is_it = [&name](const std::string& wanted) { return lowered(wanted) == name; };
   if (std::any_of(wanted_.begin(), wanted_.end(), is_it)) return false;
-  const std::size_t end = end_of_list(text_, at_);
+  const std::size_t end = end_of_list(in_.text, in_.at);
   if (end == std::string_view::npos) return false;
   passed_over_.push_back(name);
-  at_ = end;
+  in_.at = end;
   return true;
 }
 

@@ -28,26 +28,26 @@ constexpr std::size_t kSafeDigits = 18;
 // Comments
 
 void Scanner::skip_line() {
-  const std::size_t end = text_.find('\n', at_);
-  at_ = end == std::string_view::npos ? text_.size() : end + 1;
+  const std::size_t end = in_.text.find('\n', in_.at);
+  in_.at = end == std::string_view::npos ? in_.text.size() : end + 1;
 }
 
 void Scanner::skip_block_comment() {
-  const std::uint32_t begin = offset();
+  const std::uint32_t begin = in_.offset();
   std::size_t open = 0;
-  while (at_ + 1 < text_.size()) {
-    const char byte = text_[at_];
-    if (byte == '#' && text_[at_ + 1] == '|') {
+  while (in_.at + 1 < in_.text.size()) {
+    const char byte = in_.text[in_.at];
+    if (byte == '#' && in_.text[in_.at + 1] == '|') {
       ++open;
-      at_ += 2;
-    } else if (byte == '|' && text_[at_ + 1] == '#') {
-      at_ += 2;
+      in_.at += 2;
+    } else if (byte == '|' && in_.text[in_.at + 1] == '#') {
+      in_.at += 2;
       if (--open == 0) return;
     } else {
-      ++at_;
+      ++in_.at;
     }
   }
-  at_ = text_.size();
+  in_.at = in_.text.size();
   error(begin, "comment without end", "'|#'");
   cut_ = true;
 }
@@ -55,56 +55,56 @@ void Scanner::skip_block_comment() {
 // Strings
 
 void Scanner::read_string() {
-  const std::uint32_t begin = offset();
-  const std::size_t body = ++at_;
-  std::size_t end = text_.find_first_of("\"\\", at_);
-  if (end == std::string_view::npos || text_[end] == '"') {
-    at_ = end == std::string_view::npos ? text_.size() : end + 1;
+  const std::uint32_t begin = in_.offset();
+  const std::size_t body = ++in_.at;
+  std::size_t end = in_.text.find_first_of("\"\\", in_.at);
+  if (end == std::string_view::npos || in_.text[end] == '"') {
+    in_.at = end == std::string_view::npos ? in_.text.size() : end + 1;
     if (end != std::string_view::npos) {
-      check_utf8(begin, offset());
-      return add_atom(store_.string(text_.substr(body, end - body)), begin);
+      check_utf8(begin, in_.offset());
+      return add_atom(store_.string(in_.text.substr(body, end - body)), begin);
     }
   }
   std::string value;
-  while (!at_end() && text_[at_] != '"') {
-    if (text_[at_] == '\\' && at_ + 1 < text_.size()) ++at_;
-    value += text_[at_++];
+  while (!in_.at_end() && in_.text[in_.at] != '"') {
+    if (in_.text[in_.at] == '\\' && in_.at + 1 < in_.text.size()) ++in_.at;
+    value += in_.text[in_.at++];
   }
-  if (at_end()) {
+  if (in_.at_end()) {
     error(begin, "string without end", "'\"'");
     cut_ = true;
   } else {
-    ++at_;
+    ++in_.at;
   }
-  check_utf8(begin, offset());
+  check_utf8(begin, in_.offset());
   add_atom(store_.string(value), begin);
 }
 
 void Scanner::check_utf8(std::uint32_t begin, std::uint32_t end) {
-  if (valid_utf8(text_.substr(begin, end - begin))) return;
+  if (valid_utf8(in_.text.substr(begin, end - begin))) return;
   error(begin, "bytes that are no UTF-8 text");
 }
 
 // What begins with #
 
 void Scanner::read_hash() {
-  switch (peek(1)) {
+  switch (in_.peek(1)) {
     case '|':
       return skip_block_comment();
     case '\'':
       return open_prefix(function_, 2);
     case '+':
     case '-':
-      return open_frame(Kind::kFeature, 2, peek(1) == '+');
+      return open_frame(Kind::kFeature, 2, in_.peek(1) == '+');
     case '.':
       return open_frame(Kind::kForm, 2);
     case '(':
-      ++at_;
+      ++in_.at;
       return open_list();
     case ':':
-      at_ += 2;
-      if (!at_end() && (traits_of(peek()) & kTokenByte) != 0) return read_token();
-      return error(offset() - 2, "nothing follows #:", "a name");
+      in_.at += 2;
+      if (!in_.at_end() && (traits_of(in_.peek()) & kTokenByte) != 0) return read_token();
+      return error(in_.offset() - 2, "nothing follows #:", "a name");
     case '\\':
       return read_character();
     case 'x':
@@ -118,29 +118,30 @@ void Scanner::read_hash() {
       return read_radix(2);
     case 'p':
     case 'P':
-      if (peek(2) == '"') {
-        at_ += 2;
+      if (in_.peek(2) == '"') {
+        in_.at += 2;
         return read_string();
       }
       [[fallthrough]];
     default:
-      error(offset(), "'#' with an unknown meaning", "one of #' #: #. #+ #- #| #\\ #( #x #o #b #p");
-      ++at_;
-      while (!at_end() && (traits_of(peek()) & kTokenByte) != 0) ++at_;
+      error(in_.offset(), "'#' with an unknown meaning",
+            "one of #' #: #. #+ #- #| #\\ #( #x #o #b #p");
+      ++in_.at;
+      while (!in_.at_end() && (traits_of(in_.peek()) & kTokenByte) != 0) ++in_.at;
   }
 }
 
 void Scanner::read_radix(int radix) {
-  const std::uint32_t begin = offset();
-  at_ += 2;
-  const std::size_t first = at_;
-  while (!at_end() && (traits_of(peek()) & kTokenByte) != 0) ++at_;
-  const std::string_view digits = text_.substr(first, at_ - first);
+  const std::uint32_t begin = in_.offset();
+  in_.at += 2;
+  const std::size_t first = in_.at;
+  while (!in_.at_end() && (traits_of(in_.peek()) & kTokenByte) != 0) ++in_.at;
+  const std::string_view digits = in_.since(first);
   std::int64_t value = 0;
   const auto [end, failed] =
       std::from_chars(digits.data(), digits.data() + digits.size(), value, radix);
   if (failed != std::errc{} || end != digits.data() + digits.size()) {
-    error(begin, "bad number '" + std::string(text_.substr(begin, at_ - begin)) + "'",
+    error(begin, "bad number '" + std::string(in_.since(begin)) + "'",
           "an integer of base " + std::to_string(radix));
   }
   add_atom(store_.integer(value), begin);
@@ -148,33 +149,33 @@ void Scanner::read_radix(int radix) {
 
 // #\a, #\( or #\space: a symbol that is written like that.
 void Scanner::read_character() {
-  const std::uint32_t begin = offset();
-  at_ += 2;
-  if (at_end()) return error(begin, "nothing follows #\\", "a character");
+  const std::uint32_t begin = in_.offset();
+  in_.at += 2;
+  if (in_.at_end()) return error(begin, "nothing follows #\\", "a character");
   do {
-    ++at_;
-  } while (!at_end() && (traits_of(peek()) & kTokenByte) != 0 && peek() != '\\');
-  check_utf8(begin, offset());
-  add_atom(store_.symbol(bounded_name(text_.substr(begin, at_ - begin), begin)), begin);
+    ++in_.at;
+  } while (!in_.at_end() && (traits_of(in_.peek()) & kTokenByte) != 0 && in_.peek() != '\\');
+  check_utf8(begin, in_.offset());
+  add_atom(store_.symbol(bounded_name(in_.since(begin), begin)), begin);
 }
 
 // Symbols and numbers
 
 void Scanner::read_token() {
-  const std::size_t begin = at_;
+  const std::size_t begin = in_.at;
   std::uint8_t seen = 0;
-  const char* const data = text_.data();
+  const char* const data = in_.text.data();
   std::size_t end = begin;
-  for (; end < text_.size(); ++end) {
+  for (; end < in_.text.size(); ++end) {
     const std::uint8_t traits = traits_of(data[end]);
     if ((traits & kTokenByte) == 0) break;
     seen |= traits;
   }
   const auto start = static_cast<std::uint32_t>(begin);
   if ((seen & kEscapeByte) != 0) return read_escaped(start);
-  at_ = end;
-  const std::string_view token = bounded_name(text_.substr(begin, end - begin), start);
-  if ((seen & kHighByte) != 0) check_utf8(start, offset());
+  in_.at = end;
+  const std::string_view token = bounded_name(in_.text.substr(begin, end - begin), start);
+  if ((seen & kHighByte) != 0) check_utf8(start, in_.offset());
   if ((seen & kColonByte) != 0) return add_atom(symbol_of(token, start), start);
   take_plain(token, start);
 }
@@ -242,12 +243,12 @@ void Scanner::read_escaped(std::uint32_t begin) {
   std::string name;
   std::size_t package = 0;  // length of what stands before the last bare colon
   bool bars = false;
-  while (!at_end() && (bars || (traits_of(peek()) & kTokenByte) != 0)) {
-    const char byte = text_[at_++];
+  while (!in_.at_end() && (bars || (traits_of(in_.peek()) & kTokenByte) != 0)) {
+    const char byte = in_.text[in_.at++];
     if (byte == '|') {
       bars = !bars;
-    } else if (byte == '\\' && !at_end()) {
-      name += text_[at_++];
+    } else if (byte == '\\' && !in_.at_end()) {
+      name += in_.text[in_.at++];
     } else {
       if (byte == ':' && !bars && !name.empty()) package = name.size() + 1;
       name += byte;
@@ -257,7 +258,7 @@ void Scanner::read_escaped(std::uint32_t begin) {
     error(begin, "'|' without end", "a second '|'");
     cut_ = true;
   }
-  check_utf8(begin, offset());
+  check_utf8(begin, in_.offset());
   name.erase(0, package);
   add_atom(store_.symbol(bounded_name(name, begin)), begin);
 }
