@@ -57,8 +57,9 @@ INSTANTIATE_TEST_SUITE_P(AgreedPlaces, Teamwork,
                          name_of);
 INSTANTIATE_TEST_SUITE_P(AreaSharing, Teamwork,
                          ::testing::Values("area-sharing/negotiated", "area-sharing/one-leaves",
-                                           "area-sharing/one-lost", "area-sharing/central",
-                                           "area-sharing/proportional", "area-sharing/alone"),
+                                           "area-sharing/one-lost", "area-sharing/one-back",
+                                           "area-sharing/central", "area-sharing/proportional",
+                                           "area-sharing/alone"),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Degree5, Teamwork,
                          ::testing::Values("team/two", "team/five", "team/comets", "team/mixed",

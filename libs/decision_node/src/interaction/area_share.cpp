@@ -20,8 +20,10 @@ using world::Vector3;
 
 constexpr const char* kRound = "round";
 constexpr const char* kLeft = "left";
-constexpr std::size_t kLookAhead = 3;  // way-points, some of which may lie within one step
-constexpr double kNothing = 1;         // [m²]
+constexpr const char* kTaken = "taken";  // with whose it was
+constexpr double kCovered = 0.95;        // of a part: somebody else has it
+constexpr std::size_t kLookAhead = 3;    // way-points, some of which may lie within one step
+constexpr double kNothing = 1;           // [m²]
 
 /// One side of a line.
 Polygon below(const Polygon& polygon, const Vector2& normal, double highest) {
@@ -34,6 +36,37 @@ Polygon below(const Polygon& polygon, const Vector2& normal, double highest) {
       kept.push_back(a + (b - a) * (over_a / (over_a - over_b)));
   }
   return kept;
+}
+
+/// The area that two convex polygons have in common [m²].
+double common_area(Polygon one, const Polygon& other) {
+  double signed_area = 0;
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    const Vector2 &a = other[i], &b = other[(i + 1) % other.size()];
+    signed_area += a.x() * b.y() - a.y() * b.x();
+  }
+  const double outwards = signed_area > 0 ? 1 : -1;
+  for (std::size_t i = 0; i < other.size() && !one.empty(); ++i) {
+    const Vector2 along = other[(i + 1) % other.size()] - other[i];
+    const Vector2 normal = outwards * Vector2(along.y(), -along.x());
+    one = below(one, normal, other[i].dot(normal));
+  }
+  return one.size() < 3 ? 0 : world::area(one);
+}
+
+/// Whether nearly all of a polygon lies in others that do not overlap.
+bool is_covered(const Polygon& polygon, const std::vector<Polygon>& others) {
+  double covered = 0;
+  for (const Polygon& other : others) covered += common_area(polygon, other);
+  return covered >= kCovered * world::area(polygon);
+}
+
+std::vector<Polygon> named(const Rows& rows, const std::string& name, const std::string& text) {
+  std::vector<Polygon> all;
+  for (const Row& row : rows)
+    if (row.name == name && row.text == text && row.numbers.size() >= 6)
+      all.push_back(polygon_of(row));
+  return all;
 }
 
 /// Across its longest leg from a point on.
@@ -106,6 +139,12 @@ Rows AreaShare::left() const {
   if (!agreed()) return {};
   Rows rows{{kRound, "", {static_cast<double>(round_)}}};
   for (const Polygon& polygon : own_left()) rows.push_back(interaction::row_of(kLeft, polygon));
+  for (const auto& [uav, areas] : taken_) {
+    for (const Polygon& area : areas) {
+      rows.push_back(interaction::row_of(kTaken, area));
+      rows.back().text = uav;
+    }
+  }
   return rows;
 }
 
@@ -119,19 +158,29 @@ double AreaShare::area_left() const {
 
 void AreaShare::agree(const Rows& result) {
   ++round_;
-  lost_.clear();
   for (const Row& row : result) {
     if (row.numbers.empty()) continue;
     if (row.name == self_)
-      own_.push_back({polygon_of(row)});
+      add(polygon_of(row));
     else
       others_[row.name].push_back(polygon_of(row));
   }
+  lost_.clear();
+}
+
+void AreaShare::add(Polygon area) {
+  for (const auto& [uav, theirs] : lost_) {
+    const bool had = std::any_of(theirs.begin(), theirs.end(), [&](const Polygon& one) {
+      return common_area(area, one) > kNothing;
+    });
+    if (had) taken_[uav].push_back(area);
+  }
+  own_.push_back({std::move(area)});
 }
 
 void AreaShare::take(const std::vector<Polygon>& areas) {
   ++round_;
-  for (const Polygon& area : areas) own_.push_back({area});
+  for (const Polygon& area : areas) add(area);
   lost_.clear();
 }
 
@@ -157,10 +206,24 @@ void AreaShare::told(const std::string& uav, const Rows& left) {
       left.front().numbers.size() != 1 || left.front().numbers[0] < round_) {
     return;
   }
-  theirs->second.clear();
-  for (const Row& row : left) {
-    if (row.name == kLeft && row.numbers.size() >= 6) theirs->second.push_back(polygon_of(row));
-  }
+  theirs->second = named(left, kLeft, "");
+}
+
+bool AreaShare::yield_to(const std::string& uav, const Rows& left) {
+  const auto with = [&](std::map<std::string, std::vector<Polygon>>& all, const char* name,
+                        const std::string& text) {
+    all[uav] = named(left, name, text);
+    std::vector<Polygon> result;
+    for (const auto& [other, areas] : all) result.insert(result.end(), areas.begin(), areas.end());
+    return result;
+  };
+  const std::vector<Polygon> taken = with(taken_by_, kTaken, self_),
+                             theirs = with(kept_by_, kLeft, "");
+  return std::erase_if(own_, [&](const Piece& piece) {
+           const Polygon rest = piece.left();
+           return world::area(rest) > kNothing &&
+                  (is_covered(rest, taken) || is_covered(rest, theirs));
+         }) > 0;
 }
 
 // ---- flights ----

@@ -39,12 +39,16 @@ class AreaShare {
   void lose(const std::string& uav);
   /// A partner goes on without this member: its remainder stays its own, though it was lost here.
   void leave_to(const std::string& uav);
+  /// What that partner, which goes on without this member, told of its remainder and of what it
+  /// took of this member's: what others have of its own part is theirs. Whether there was some.
+  bool yield_to(const std::string& uav, const interaction::Rows& left);
   /// The remainders of lost partners.
   std::vector<world::Polygon> nobodys() const;
   /// A partner's remainder. Ignored if it was told before the latest division.
   void told(const std::string& uav, const interaction::Rows& left);
 
-  /// This member's remainder, for partners; empty before the first division.
+  /// This member's remainder, and what it took of lost partners, for all; empty before the first
+  /// division.
   interaction::Rows left() const;
   /// Area of this member's remainder [m²].
   double area_left() const;
@@ -69,13 +73,18 @@ class AreaShare {
     world::Polygon left() const;
   };
   std::vector<world::Polygon> own_left() const;
+  /// To this member's own part.
+  void add(world::Polygon area);
 
   std::string self_;
   int round_ = 0;
   std::vector<Piece> own_;
   std::map<std::string, std::vector<world::Polygon>> others_;
-  std::map<std::string, std::vector<world::Polygon>> lost_;  ///< by the partner that had them
-  std::vector<world::Vector3> at_;                           ///< the last position; empty: unknown
+  std::map<std::string, std::vector<world::Polygon>> lost_;   ///< by the partner that had them
+  std::map<std::string, std::vector<world::Polygon>> taken_;  ///< by the partner that had them
+  /// What others said to have, and to have taken of this member's, by who said it.
+  std::map<std::string, std::vector<world::Polygon>> kept_by_, taken_by_;
+  std::vector<world::Vector3> at_;  ///< the last position; empty: unknown
 };
 
 /// The part of a convex polygon in which `lowest` <= its distance along `normal` <= `highest`.

@@ -5,6 +5,7 @@
 #include "interaction/interaction.hpp"
 #include "interaction/joint_task.hpp"
 #include "interaction/loading_talks.hpp"
+#include "interaction/role_tasks.hpp"
 #include "partners.hpp"
 #include "skein/foundation/joined.hpp"
 
@@ -77,9 +78,28 @@ void JointTask::partner_told(const interaction::JointTaskStatus& status, Mission
   if (my_.phase == JointPhase::kLoading || my_.phase == JointPhase::kLoaded) load_again(why);
 }
 
+namespace {
+
+/// Whether those who go on without some of `mine` are more than these, or as many with the first
+/// name: both sides see it alike.
+bool outweigh(const Holders& theirs, const Holders& mine) {
+  Holders apart = mine;
+  for (const auto& [uav, role] : theirs) apart.erase(uav);
+  if (apart.empty() || theirs.size() != apart.size()) return theirs.size() > apart.size();
+  return theirs.begin()->first < apart.begin()->first;
+}
+
+}  // namespace
+
 // It was lost there, over a link that is down or past a third one, and what it had left is theirs:
 // they and this UAV do not count on each other any more.
 void JointTask::go_on_apart(const interaction::JointTaskStatus& status) {
+  if (outweigh(status.holders, my_.holders) &&
+      play_.mapping().share().yield_to(status.uav, status.left)) {
+    host_.bus().emit(
+        Notice{my_.joint.subject + ": '" + status.uav + "' has some of what was its part to map"});
+    play_.begin_anew(is_mapping);
+  }
   for (const auto& [uav, role] : status.holders) {
     play_.mapping().share().leave_to(uav);
     lost(uav, "'" + status.uav + "' goes on without '" + self() + "'");

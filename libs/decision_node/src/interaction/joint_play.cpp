@@ -25,10 +25,6 @@ bool holds_vehicle(const std::string& type) {
   return functional::TaskTypes::shipped().of(type).holds_vehicle();
 }
 
-bool is_mapping(const interaction::Automaton& automaton, const std::string& componel) {
-  return automaton[*automaton.find(componel)].task()->type == kMapArea;
-}
-
 /// Of what has no duration nothing is known.
 bool is_done(Duration wanted, Duration done) {
   return wanted > Duration() && wanted - done < kNothing;
@@ -95,7 +91,7 @@ void JointPlay::tell(const interaction::Input& input) {
     }
     const auto* message = std::get_if<interaction::Message>(&input);
     if (message != nullptr && message->text == kMemberLost && effects->empty())
-      meet_without_the_lost();
+      begin_anew(is_meeting);
     task_.announce();
   });
 }
@@ -205,7 +201,7 @@ void JointPlay::run(const std::string& name) {
   if (host_.stops(my_.joint.task)) return;
   const interaction::Automaton& automaton = play_->automaton();
   const interaction::Componel& componel = automaton[*automaton.find(name)];
-  if (componel.task()->type == kMapArea) return mapping_.map(name);
+  if (is_mapping(*componel.task())) return mapping_.map(name);
   if (componel.task()->type == kFollow) return pursuit_.follow(name);
   const Duration done = record_.done(name);
   const Duration wanted = duration_of(*componel.task(), *play_);
@@ -226,12 +222,12 @@ bool JointPlay::begin_again(const std::string& componel, Duration ran) {
   return true;
 }
 
-// The role itself does nothing about the loss: who waited for the lost would do so for ever.
-void JointPlay::meet_without_the_lost() {
+// Where the role itself does nothing about a loss: who waited for the lost would do so for ever.
+void JointPlay::begin_anew(bool (*is_meant)(const interaction::Task& task)) {
   const interaction::Automaton& automaton = play_->automaton();
   for (const auto& [id, componel] : std::map(tasks_)) {
-    const bool meets = is_meeting(*automaton[*automaton.find(componel)].task());
-    if (!meets || interaction_.aborts().of(id) == AbortedFor::kRole) continue;
+    const bool meant = is_meant(*automaton[*automaton.find(componel)].task());
+    if (!meant || interaction_.aborts().of(id) == AbortedFor::kRole) continue;
     interaction_.aborts().note(id, AbortedFor::kAnew);
     host_.run(executive::Abort{id});
   }
@@ -336,7 +332,8 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   const bool is_last = has_no_air && nothing_is_left_together();
   if (!ended && !asked && !is_last) record_.aborted(componel, event.reason);
   if (ended) record_.ended(componel);
-  if (ended && is_mapping(play_->automaton(), componel)) mapping_.share().flown();
+  const interaction::Automaton& automaton = play_->automaton();
+  if (ended && is_mapping(*automaton[*automaton.find(componel)].task())) mapping_.share().flown();
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);
   if (is_last) return stay_without_air(componel, event.reason);
   // Else it would wait for its partner in a later meeting of the role, and that for it in this one.

@@ -44,6 +44,9 @@ class JointPlay final : private RoleCourse {
   /// The same, and its partners have ended their roles.
   bool nothing_is_left_together() const;
   void lose(const std::string& uav);
+  /// Begins such tasks that are under way anew: meetings without those who hold no role any more,
+  /// mappings over what is left of the own part.
+  void begin_anew(bool (*is_meant)(const interaction::Task& task));
   AreaMapping& mapping() { return mapping_; }
   const AreaMapping& mapping() const { return mapping_; }
   void decided(const interaction::Terms& terms, const interaction::NegotiationOutcome& outcome);
@@ -67,8 +70,6 @@ class JointPlay final : private RoleCourse {
   void run(const std::string& componel);
   /// Tries a task anew that the vehicle gave up after it `ran`; false: it does not.
   bool begin_again(const std::string& componel, Duration ran);
-  /// Begins meetings that are under way anew, without those who hold no role any more.
-  void meet_without_the_lost();
   /// Leaves a role that has nothing more to do after this task was given up.
   void leave_if_stuck(const std::string& componel, const std::string& why);
   void carry_out(const interaction::StateChanged& effect);

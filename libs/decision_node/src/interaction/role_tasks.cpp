@@ -149,6 +149,8 @@ bool is_meeting(const interaction::Task& task) {
   return task.type == "synchro" || task.type == "wait-until-synchro";
 }
 
+bool is_mapping(const interaction::Task& task) { return task.type == kMapArea; }
+
 std::optional<world::Polygon> zone_of(const config::Value& named, const Arguments& scope,
                                       const world::World& world) {
   const auto value = value_of(named, scope);

@@ -39,6 +39,9 @@ Result<executive::Task, Failure> make_task(const interaction::Componel& componel
 /// Whether it waits for other roles.
 bool is_meeting(const interaction::Task& task);
 
+/// Of the own part of a shared area.
+bool is_mapping(const interaction::Task& task);
+
 /// The zone named by an expression of a role; nothing: there is no such zone.
 std::optional<world::Polygon> zone_of(const config::Value& named, const Arguments& scope,
                                       const world::World& world);

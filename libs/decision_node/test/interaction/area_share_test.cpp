@@ -158,6 +158,38 @@ TEST(AreaShare, WhatAPartnerHasThatGoesOnWithoutItStaysThePartners) {
   EXPECT_NEAR(share.area_left(), 40000, 1e-6);
 }
 
+// A partner that was lost is heard again: two others have what it had left.
+TEST(AreaShare, WhoWasLostYieldsWhatOthersTookOfItsPart) {
+  AreaShare heron("heron"), wren("wren");
+  const Polygon north = between(kEast, {0, 1}, 100, 200), south = between(kEast, {0, 1}, 0, 100);
+  for (AreaShare* one : {&heron, &wren}) one->agree(agreed(kWest, kEast));
+  heron.lose("wren");
+  heron.agree({interaction::row_of("heron", north), interaction::row_of("swift", south)});
+  wren.lose("heron");
+
+  EXPECT_FALSE(wren.yield_to("heron", heron.left())) << "half of it is still its own";
+  AreaShare swift("swift");
+  swift.agree(agreed(kWest, kEast));
+  swift.lose("wren");
+  swift.agree({interaction::row_of("heron", north), interaction::row_of("swift", south)});
+  EXPECT_TRUE(wren.yield_to("swift", swift.left()));
+
+  EXPECT_EQ(wren.area_left(), 0);
+  EXPECT_NEAR(area_of(heron.left()), 60000, 1e-6) << "what it took is told beside what is left";
+}
+
+TEST(AreaShare, WhoTookAllThatOthersStillHaveYieldsThat) {
+  AreaShare heron("heron"), wren("wren");
+  for (AreaShare* one : {&heron, &wren}) one->agree(agreed(kWest, kEast));
+  wren.lose("heron");
+  wren.take(wren.nobodys());
+  ASSERT_NEAR(wren.area_left(), 80000, 1e-6);
+
+  EXPECT_TRUE(wren.yield_to("heron", heron.left()));
+
+  EXPECT_NEAR(wren.area_left(), 40000, 1e-6);
+}
+
 TEST(AreaShare, OfAPartnerThatToldNothingAllItsPartIsNobodys) {
   AreaShare share("heron");
   share.agree(agreed(kWest, kEast));
