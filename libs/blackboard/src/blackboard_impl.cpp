@@ -265,16 +265,15 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
     if (changes && !condition.up) {
       connections_.set_up(peer.channels().outgoing, false, now.steady, out_);
     }
-    const bool takes_turns = condition.up && condition.capacity > 0;
-    const auto let_go = [&](bool up) {
-      for (const wire::Sample& state : peer.let_go(up)) write(peer.channels().outgoing, state);
+    const auto let_go = [&] {
+      for (const wire::Sample& state : peer.let_go()) write(peer.channels().outgoing, state);
     };
-    if (peer.limited() != nullptr && !takes_turns) let_go(condition.up);
+    if (peer.limited() != nullptr && condition.up && condition.capacity <= 0) let_go();
     peer.set_outgoing(condition, now);
     if (changes && condition.up) {
       connections_.set_up(peer.channels().outgoing, true, now.steady, out_);
     }
-    if (condition.up && peer.limited() == nullptr) let_go(true);
+    if (condition.up && peer.limited() == nullptr) let_go();
     serve(peer, now);
   } else {
     const bool changes = condition.up != peer.incoming_condition().up;

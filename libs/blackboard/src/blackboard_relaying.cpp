@@ -11,15 +11,19 @@ bool is_state(wire::Slot slot) { return wire::slot_class(slot) == wire::SlotClas
 
 }  // namespace
 
-// What does not wait in the channel waits in the transport (states), with its sender (events), or
-// is of the past (streams).
+// What does not wait in the channel waits in the transport (states where there is no channel that
+// takes turns), with its sender (events), or is of the past (streams).
 void Blackboard::Impl::hand_to(Peer& hop, wire::Sample sample, Now now) {
   const wire::Slot slot = wire::slot_of(sample);
   const bool up = hop.outgoing_condition().up;
   LimitedChannel* limited = hop.limited();
-  if (!up || limited == nullptr) {
+  if (limited == nullptr) {
     if (is_state(slot)) hop.pass_by(sample);
     if (up || is_state(slot)) write(hop.channels().outgoing, sample);
+    return;
+  }
+  if (!up) {
+    if (is_state(slot)) hop.put(std::move(sample));
     return;
   }
   const bool each = slot == wire::Slot::kHeartbeat || slot == wire::Slot::kPart ||

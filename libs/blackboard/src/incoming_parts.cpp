@@ -21,24 +21,52 @@ std::optional<std::variant<wire::Sample, Malformed>> IncomingParts::take(const w
     *this = IncomingParts(of_, quiet_);
     incarnation_ = incarnation;
   }
-  const bool is_over = part.number <= handled_ || part.number < number_;
-  const bool begins = part.number != number_ || part.total != total_;
-  const bool follows = !is_over && part.offset == (begins ? 0 : there_);
-  if (!follows || ++since_told_ > quiet_) owes_ = true;
-  if (is_over) return std::nullopt;
-  if (begins) {
-    number_ = part.number;
-    total_ = part.total;
-    there_ = 0;
-    bytes_.clear();
+  if (part.number <= handled_ || part.number < number_) {
+    owes_ = true;
+    return std::nullopt;
   }
-  if (!follows) return std::nullopt;
-  bytes_.insert(bytes_.end(), part.content.begin(), part.content.end());
-  there_ += static_cast<std::uint32_t>(part.content.size());
+  if (part.number != number_ || part.total != total_) begin(part);
+  const bool comes_again = part.offset < there_ || later_.contains(part.offset);
+  if (part.offset == there_) add(part.offset, part.content);
+  add_later();
+  if (part.offset > there_ && later_.size() < kMostLater)
+    later_.insert_or_assign(part.offset, part.content);
+  const bool names_gap = !later_.empty() && gap_told_ != there_;
+  if (comes_again || names_gap || ++since_told_ > quiet_) owes_ = true;
   if (there_ < total_) return std::nullopt;
   auto event = decode(static_cast<wire::Slot>(part.of_slot), bytes_);
   std::vector<std::uint8_t>().swap(bytes_);
   return event;
+}
+
+void IncomingParts::begin(const wire::Part& part) {
+  number_ = part.number;
+  total_ = part.total;
+  there_ = 0;
+  bytes_.clear();
+  later_.clear();
+  gap_told_.reset();
+}
+
+void IncomingParts::told() {
+  owes_ = false;
+  since_told_ = 0;
+  if (!later_.empty()) gap_told_ = there_;
+}
+
+// As much of it as is new: it may have been cut at other places than those before it.
+void IncomingParts::add(std::uint32_t offset, const std::vector<std::uint8_t>& content) {
+  const std::size_t known = there_ - offset;
+  if (known >= content.size()) return;
+  bytes_.insert(bytes_.end(), content.begin() + static_cast<std::ptrdiff_t>(known), content.end());
+  there_ = offset + static_cast<std::uint32_t>(content.size());
+}
+
+void IncomingParts::add_later() {
+  while (!later_.empty() && later_.begin()->first <= there_) {
+    add(later_.begin()->first, later_.begin()->second);
+    later_.erase(later_.begin());
+  }
 }
 
 void IncomingParts::commit() {

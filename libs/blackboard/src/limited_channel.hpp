@@ -51,6 +51,11 @@ class LimitedChannel {
   /// Ends the scheduling. Returns the waiting states, to be written at once, so that the transport
   /// keeps them for late readers; waiting streams are dropped.
   std::vector<wire::Sample> let_go();
+  /// States wait on; what is of the past by the time it is up again does not.
+  void cut() {
+    values_.take(wire::SlotClass::kStream);
+    passing_.clear();
+  }
   /// Queues an event, part or heartbeat that goes past a relay.
   void pass(wire::Sample sample) { passing_.put(std::move(sample)); }
   /// None that has expired.

@@ -24,9 +24,10 @@ bool is_from(const wire::Sample& sample, std::uint32_t origin) {
 
 bool LongStates::put(wire::Sample state) {
   told_.drop(state);
-  const bool replaces = written_ <= 1 && !was_replaced_ && is_under_way(state);
+  const bool has_just_begun = written_ <= 1 && !was_replaced_;
+  const bool replaces = (has_just_begun || parts_.all_written()) && is_under_way(state);
+  was_replaced_ = was_replaced_ || (replaces && !parts_.all_written());
   if (replaces) end_current();
-  was_replaced_ = was_replaced_ || replaces;
   return waiting_.put(std::move(state)) || replaces;
 }
 
@@ -69,8 +70,8 @@ void LongStates::begin_again() {
   parts_.resend();
 }
 
-void LongStates::heard(std::uint64_t number, std::uint32_t bytes) {
-  parts_.heard(number, bytes);
+void LongStates::heard(std::uint64_t number, std::uint32_t bytes, bool lacks) {
+  parts_.heard(number, bytes, lacks);
   if (!under_way_ || !parts_.empty()) return;
   if (!waiting_.has(*under_way_)) told_.put(std::move(*under_way_));
   under_way_.reset();
@@ -79,10 +80,10 @@ void LongStates::heard(std::uint64_t number, std::uint32_t bytes) {
 
 std::vector<std::pair<wire::Slot, std::size_t>> LongStates::due(Duration now,
                                                                 std::uint32_t most_bytes,
-                                                                Duration round_trip) const {
+                                                                Duration time_out) const {
   std::vector<std::pair<wire::Slot, std::size_t>> all;
   if (under_way_) {
-    if (const auto part = parts_.next(now, most_bytes, round_trip))
+    if (const auto part = parts_.next(now, most_bytes, time_out))
       all.emplace_back(wire::slot_of(*under_way_), channel_bytes_of_part(part->content.size()));
     return all;
   }
@@ -96,7 +97,7 @@ std::vector<std::pair<wire::Slot, std::size_t>> LongStates::due(Duration now,
 }
 
 wire::Part LongStates::take(wire::Slot slot, std::uint32_t most_bytes, Duration now,
-                            Duration round_trip, Duration until) {
+                            Duration time_out, Duration until) {
   if (!under_way_) {
     under_way_ = *waiting_.first(slot);
     waiting_.drop_first(slot);
@@ -104,14 +105,14 @@ wire::Part LongStates::take(wire::Slot slot, std::uint32_t most_bytes, Duration 
     written_ = 0;
   }
   ++written_;
-  const auto part = parts_.next(now, most_bytes, round_trip);
+  const auto part = parts_.next(now, most_bytes, time_out);
   SKEIN_EXPECTS(part.has_value());
   parts_.written(*part, until);
   return *part;
 }
 
-std::optional<Duration> LongStates::next_due(std::uint32_t most_bytes, Duration round_trip) const {
-  if (under_way_) return parts_.next_due(most_bytes, round_trip);
+std::optional<Duration> LongStates::next_due(std::uint32_t most_bytes, Duration time_out) const {
+  if (under_way_) return parts_.next_due(most_bytes, time_out);
   if (waiting_.empty()) return std::nullopt;
   return Duration{};
 }

@@ -20,8 +20,6 @@ namespace skein::blackboard {
 /// value for each (slot, instance) that was long.
 class LongStates {
  public:
-  explicit LongStates(Duration retransmission) : parts_(retransmission, 1) {}
-
   /// True if `state` replaced an older value that waited.
   bool put(wire::Sample state);
   /// A newer value goes another way: older ones need not be said any more. True if one waited.
@@ -34,19 +32,20 @@ class LongStates {
   void begin_again();
   /// The peer is reachable again.
   void resend() { parts_.resend(); }
-  /// The peer has all states before `number`, and this many bytes of that one.
-  void heard(std::uint64_t number, std::uint32_t bytes);
+  /// The peer has all states before `number`, and this many bytes of that one; `lacks`: later ones
+  /// have come.
+  void heard(std::uint64_t number, std::uint32_t bytes, bool lacks);
 
   /// What may go now, in each slot: bytes that the next part takes on a channel; one of the state
   /// under way, or, if there is none, the first of any that waits.
   std::vector<std::pair<wire::Slot, std::size_t>> due(Duration now, std::uint32_t most_bytes,
-                                                      Duration round_trip) const;
+                                                      Duration time_out) const;
   /// The next part of the slot whose turn it is, without header; its transmission ends at `until`
   /// (steady). Precondition: it is among those due.
-  wire::Part take(wire::Slot slot, std::uint32_t most_bytes, Duration now, Duration round_trip,
+  wire::Part take(wire::Slot slot, std::uint32_t most_bytes, Duration now, Duration time_out,
                   Duration until);
   /// Steady, when due() has something.
-  std::optional<Duration> next_due(std::uint32_t most_bytes, Duration round_trip) const;
+  std::optional<Duration> next_due(std::uint32_t most_bytes, Duration time_out) const;
 
  private:
   bool is_under_way(const wire::Sample& like) const;
@@ -57,7 +56,7 @@ class LongStates {
   int written_ = 0;            ///< parts of it
   bool was_replaced_ = false;  ///< the one before it, by a newer value
   WaitingValues told_;
-  OutgoingParts parts_;
+  OutgoingParts parts_{1};
 };
 
 }  // namespace skein::blackboard

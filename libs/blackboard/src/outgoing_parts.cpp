@@ -32,7 +32,14 @@ void OutgoingParts::drop(std::vector<Held>::iterator one) {
 
 void OutgoingParts::drop_front() {
   drop(held_.begin());
-  acked_ = next_byte_ = 0;
+  acked_ = 0;
+  begin_at(0);
+}
+
+void OutgoingParts::begin_at(std::uint32_t byte) {
+  next_byte_ = last_offset_ = byte;
+  gap_.reset();
+  fill_ = false;
 }
 
 void OutgoingParts::give_up(std::uint64_t number) {
@@ -42,7 +49,9 @@ void OutgoingParts::give_up(std::uint64_t number) {
   drop(found);
 }
 
-std::vector<std::uint64_t> OutgoingParts::heard(std::uint64_t number, std::uint32_t bytes) {
+// Parts that were under way behind a gap each name it: it is filled once.
+std::vector<std::uint64_t> OutgoingParts::heard(std::uint64_t number, std::uint32_t bytes,
+                                                bool lacks) {
   std::vector<std::uint64_t> receipts;
   const auto has = [&](const Held& one) {
     return one.number < number || (one.number == number && bytes >= one.bytes.size());
@@ -52,9 +61,15 @@ std::vector<std::uint64_t> OutgoingParts::heard(std::uint64_t number, std::uint3
     drop_front();
   }
   if (held_.empty() || held_.front().number != number) return receipts;
-  if (bytes < acked_) next_byte_ = bytes;
+  const bool restarted = bytes < acked_;
   acked_ = bytes;
-  next_byte_ = std::max(next_byte_, bytes);
+  if (restarted || next_byte_ < bytes) begin_at(bytes);
+  if (!lacks) {
+    gap_.reset();
+  } else if (gap_ != bytes) {
+    gap_ = bytes;
+    fill_ = bytes < next_byte_;
+  }
   return receipts;
 }
 
@@ -74,7 +89,8 @@ void OutgoingParts::become(std::uint64_t incarnation) {
     wire::header_of(sample).incarnation = incarnation;
     one.bytes = in_cdr(sample);
   }
-  acked_ = next_byte_ = 0;
+  acked_ = 0;
+  begin_at(0);
 }
 
 std::vector<EventExpired> OutgoingParts::expire(MissionTime now) {
@@ -96,16 +112,22 @@ bool OutgoingParts::window_is_open(std::uint32_t most_bytes) const {
          next_byte_ < acked_ + std::uint64_t{kPartsUnderWay} * most_bytes;
 }
 
+std::uint32_t OutgoingParts::next_offset(std::uint32_t most_bytes) const {
+  if (fill_) return *gap_;
+  if (window_is_open(most_bytes)) return next_byte_;
+  return gap_ ? acked_ : std::max(last_offset_, acked_);
+}
+
 std::optional<wire::Part> OutgoingParts::next(Duration now, std::uint32_t most_bytes,
-                                              Duration round_trip) const {
-  const auto due = next_due(most_bytes, round_trip);
+                                              Duration time_out) const {
+  const auto due = next_due(most_bytes, time_out);
   if (!due || *due > now) return std::nullopt;
   const Held& front = held_.front();
   wire::Part part;
   part.number = front.number;
   part.of_slot = static_cast<std::uint8_t>(front.slot);
   part.total = static_cast<std::uint32_t>(front.bytes.size());
-  part.offset = window_is_open(most_bytes) ? next_byte_ : acked_;
+  part.offset = next_offset(most_bytes);
   const std::size_t count = std::min<std::size_t>(most_bytes, front.bytes.size() - part.offset);
   const auto from = front.bytes.begin() + part.offset;
   part.content.assign(from, from + static_cast<std::ptrdiff_t>(count));
@@ -114,8 +136,11 @@ std::optional<wire::Part> OutgoingParts::next(Duration now, std::uint32_t most_b
 
 void OutgoingParts::written(const wire::Part& part, Duration until) {
   if (held_.empty() || held_.front().number != part.number) return;
-  next_byte_ = part.offset + static_cast<std::uint32_t>(part.content.size());
   last_written_ = until;
+  fill_ = false;
+  if (part.offset < next_byte_) return;
+  last_offset_ = part.offset;
+  next_byte_ = part.offset + static_cast<std::uint32_t>(part.content.size());
   if (next_byte_ == part.total && contact_) held_.front().may_have_arrived = true;
 }
 
@@ -126,11 +151,10 @@ std::optional<MissionTime> OutgoingParts::first_expiry() const {
   return MissionTime::nanoseconds(first);
 }
 
-std::optional<Duration> OutgoingParts::next_due(std::uint32_t most_bytes,
-                                                Duration round_trip) const {
+std::optional<Duration> OutgoingParts::next_due(std::uint32_t most_bytes, Duration time_out) const {
   if (held_.empty()) return std::nullopt;
-  if (window_is_open(most_bytes)) return Duration{};
-  return last_written_ + retransmission_ + round_trip;
+  if (fill_ || window_is_open(most_bytes)) return Duration{};
+  return last_written_ + time_out;
 }
 
 }  // namespace skein::blackboard

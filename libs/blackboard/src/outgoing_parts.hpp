@@ -12,18 +12,19 @@ namespace skein::blackboard {
 
 /// Sends long events to one peer in parts, one event after the other; long states likewise (see
 /// LongStates), in a session of their own. At most kPartsUnderWay parts
-/// are under way beyond the bytes that the peer has acknowledged. After a time-out without a new
-/// acknowledgement, or if the peer acknowledges less than before (it has restarted), the parts are
-/// written again from the acknowledged byte on. So the sender treats cuts, lost parts and restarts
-/// in the same way.
+/// are under way beyond the bytes that the peer has acknowledged. Where the peer says that later
+/// ones have come, the one that it lacks is written again, once; where it acknowledges less than
+/// before (it has restarted), all from there on. After a time-out without a new acknowledgement
+/// the last part is written again, which the peer answers by what it has: all of it, where an
+/// acknowledgement was lost, or a gap. So a part that is lost costs itself and a round trip.
+/// Source: docs/decisions/0108.
 class OutgoingParts {
  public:
   static constexpr std::uint32_t kPartsUnderWay = 16;
   static constexpr std::size_t kMostHeld = 256;
   static constexpr std::size_t kMostBytes = 16U << 20U;  ///< of held events; then full() is true
 
-  explicit OutgoingParts(Duration retransmission, std::uint64_t first = kFirstLongEvent)
-      : retransmission_(retransmission), next_(first) {}
+  explicit OutgoingParts(std::uint64_t first = kFirstLongEvent) : next_(first) {}
 
   bool full() const { return held_.size() >= kMostHeld || bytes_ >= kMostBytes; }
   bool empty() const { return held_.empty(); }
@@ -34,26 +35,29 @@ class OutgoingParts {
   void hold(const wire::Sample& sample, std::uint64_t receipt);
   /// The event was reported as expired in a former life.
   void give_up(std::uint64_t number);
-  /// The peer has acknowledged all events before `number`, and this many bytes of event `number`.
-  /// Returns the receipt numbers of the events that it has handled, in order.
-  std::vector<std::uint64_t> heard(std::uint64_t number, std::uint32_t bytes);
+  /// The peer has acknowledged all events before `number`, and this many bytes of event `number`;
+  /// `lacks`: later ones have come. Returns the receipt numbers of the events that it has handled,
+  /// in order.
+  std::vector<std::uint64_t> heard(std::uint64_t number, std::uint32_t bytes, bool lacks);
   /// In a former life the peer had acknowledged all events up to this number.
   void recall_acknowledged(std::uint64_t number);
   /// The number up to which all events are acknowledged or given up.
   std::uint64_t settled() const;
+  /// Whether each part of the first was written.
+  bool all_written() const { return !held_.empty() && next_byte_ == held_.front().bytes.size(); }
   /// The peer is reachable again, or knows this node by another incarnation.
-  void resend() { next_byte_ = acked_; }
+  void resend() { begin_at(acked_); }
   void become(std::uint64_t incarnation);
   std::vector<EventExpired> expire(MissionTime now);
   void set_contact(bool contact) { contact_ = contact; }
 
-  /// The part that is to be written now, without header.
-  std::optional<wire::Part> next(Duration now, std::uint32_t most_bytes, Duration round_trip) const;
+  /// The part that is to be written now, without header. `time_out`: since the last one.
+  std::optional<wire::Part> next(Duration now, std::uint32_t most_bytes, Duration time_out) const;
   /// The part was written; its transmission ends at `until` (steady).
   void written(const wire::Part& part, Duration until);
   std::optional<MissionTime> first_expiry() const;
   /// Steady; when next() has something.
-  std::optional<Duration> next_due(std::uint32_t most_bytes, Duration round_trip) const;
+  std::optional<Duration> next_due(std::uint32_t most_bytes, Duration time_out) const;
 
  private:
   struct Held {
@@ -66,13 +70,17 @@ class OutgoingParts {
   };
   void drop(std::vector<Held>::iterator one);
   void drop_front();
+  void begin_at(std::uint32_t byte);
+  std::uint32_t next_offset(std::uint32_t most_bytes) const;
   bool window_is_open(std::uint32_t most_bytes) const;
 
-  Duration retransmission_;
   std::vector<Held> held_;  ///< mostly empty (a vector, which then takes no heap memory)
   std::size_t bytes_ = 0;   ///< of all events held
   std::uint64_t next_;
   std::uint32_t acked_ = 0, next_byte_ = 0;  ///< of the first
+  std::uint32_t last_offset_ = 0;            ///< of its part that was written last
+  std::optional<std::uint32_t> gap_;         ///< begins here, and is filled
+  bool fill_ = false;                        ///< that is to be written
   Duration last_written_;
   bool contact_ = false;
 };

@@ -9,20 +9,12 @@
 namespace skein::blackboard {
 namespace {
 
-/// Long enough to acknowledge a burst at once, short against any retransmission time.
-constexpr Duration kAcknowledgementDelay = Duration::milliseconds(10);
-/// On a limited channel, acknowledgements leave room for so many others between them.
-constexpr std::size_t kHeartbeatsBetween = 4;
-
 /// A little less than the period: after three of them a peer counts as lost, and the third
 /// heartbeat, on its way a little longer than those before it, has to be there by then. Else two
 /// that are lost in a row, 1 in 11 at 30 % loss, are a cut.
 Duration between_heartbeats(Duration period) {
   return Duration::nanoseconds(period.count() * 19 / 20);
 }
-
-/// As long as most of what goes over radio [byte].
-constexpr std::size_t kLongSample = 512;
 
 /// An event of more goes in parts [byte]; less is what would keep a narrow channel from heartbeats,
 /// but not less than this.
@@ -38,6 +30,7 @@ void acknowledge(const IncomingParts& incoming, wire::Part& by) {
   by.ack_incarnation = incoming.ack_incarnation();
   by.ack_number = incoming.ack_number();
   by.ack_bytes = incoming.ack_bytes();
+  by.ack_lacks = incoming.ack_lacks();
 }
 
 std::optional<Duration> sooner(std::optional<Duration> a, std::optional<Duration> b) {
@@ -68,33 +61,26 @@ void Peer::limit(double capacity, Duration now) {
 void Peer::set_outgoing(const ChannelCondition& condition, Now now) {
   if (condition.up && !out_condition_.up) next_heartbeat_ = now.steady;
   out_condition_ = condition;
-  limit(
-      condition.capacity > 0 ? condition.capacity : config_->channels[channels_.outgoing].capacity,
-      now.steady);
+  const double declared = config_->channels[channels_.outgoing].capacity;
+  const double capacity = condition.capacity > 0 ? condition.capacity : declared;
+  if (condition.up || capacity > 0) limit(capacity, now.steady);
+  if (limited_ && !condition.up) limited_->cut();
 }
 
-// Bytes for bytes: a long sample of ours may be under way before this one, and on the way back the
-// acknowledgement waits for others like it and for a long sample too.
-Duration Peer::round_trip() const {
-  Duration all = out_condition_.latency + in_condition_.latency;
-  // Nothing is known of what others take between them: a period a relay is more than most do.
-  all = all + Duration::nanoseconds(period_.count() * static_cast<std::int64_t>(relays_));
-  if (limited_) all = all + limited_->airtime(kLongSample);
-  const double back = in_condition_.capacity > 0 ? in_condition_.capacity
-                                                 : config_->channels[channels_.incoming].capacity;
-  if (back <= 0) return all;
-  const std::size_t bytes = kLongSample + (kHeartbeatsBetween + 1) * heartbeat_bytes();
-  return all + airtime(bytes, back);
-}
-
-Duration Peer::acknowledgement_delay() const {
-  if (!limited_) return kAcknowledgementDelay;
-  return kAcknowledgementDelay + limited_->airtime(kHeartbeatsBetween * heartbeat_bytes());
+RoundTrip Peer::round_trip() const {
+  RoundTrip trip;
+  trip.latency = out_condition_.latency + in_condition_.latency;
+  trip.out = limited_ ? limited_->capacity() : 0;
+  trip.back = in_condition_.capacity > 0 ? in_condition_.capacity
+                                         : config_->channels[channels_.incoming].capacity;
+  trip.relays = relays_;
+  trip.period = period_;
+  return trip;
 }
 
 void Peer::owe_acknowledgement(Duration now) {
   if (!session().lives.present().incoming.owes_acknowledgement() || acknowledge_at_) return;
-  acknowledge_at_ = now + acknowledgement_delay();
+  acknowledge_at_ = now + round_trip().acknowledgement_delay();
 }
 
 void Peer::set_way(std::size_t relays, bool heard_of, bool anew, Now now) {
@@ -257,7 +243,7 @@ void Peer::update(Now now, std::vector<Incoming>& out) {
 
 std::vector<const wire::Sample*> Peer::take_due_events(Now now) {
   if (!can_send() || recalled_ || !session_) return {};
-  return session_->outgoing.take_due(now, round_trip());
+  return session_->outgoing.take_due(now, round_trip().of_event());
 }
 
 bool Peer::heartbeat_due(Duration steady) const {
@@ -313,9 +299,9 @@ void Peer::pass_by(const wire::Sample& state) {
   if (session_) session_->long_states.drop(state);
 }
 
-std::vector<wire::Sample> Peer::let_go(bool up) {
+std::vector<wire::Sample> Peer::let_go() {
   std::vector<wire::Sample> states;
-  if (session_ && up) states = session_->long_states.let_go();
+  if (session_) states = session_->long_states.let_go();
   if (limited_) std::ranges::move(limited_->let_go(), std::back_inserter(states));
   return states;
 }
@@ -326,10 +312,11 @@ std::optional<std::variant<wire::Sample, Malformed>> Peer::on_part(const wire::P
   if (is_refused_ || (reachable_ && part.header.incarnation != life.incarnation))
     return std::nullopt;
   if (part.ack_incarnation == self_incarnation()) {
-    for (const std::uint64_t receipt : session().parts_out.heard(part.ack_number, part.ack_bytes))
+    for (const std::uint64_t receipt :
+         session().parts_out.heard(part.ack_number, part.ack_bytes, part.ack_lacks))
       out.emplace_back(EventDelivered{channels_.number, receipt});
     if (part.ack_number < kFirstLongEvent)
-      session().long_states.heard(part.ack_number, part.ack_bytes);
+      session().long_states.heard(part.ack_number, part.ack_bytes, part.ack_lacks);
   }
   if (part.number == 0) return std::nullopt;
   const bool of_event = part.number >= kFirstLongEvent;
@@ -337,13 +324,16 @@ std::optional<std::variant<wire::Sample, Malformed>> Peer::on_part(const wire::P
   auto sample = incoming.take(part);
   if (!of_event) incoming.commit();
   if (incoming.owes() && !acknowledge_parts_at_)
-    acknowledge_parts_at_ = now.steady + acknowledgement_delay();
+    acknowledge_parts_at_ =
+        now.steady + (of_event ? round_trip().acknowledgement_delay() : RoundTrip::kAtOnce);
   return sample;
 }
 
 std::optional<wire::Part> Peer::due_part(Now now) const {
   std::optional<wire::Part> part;
-  if (sends_parts()) part = known().parts_out.next(now.steady, bytes_of_a_part(), round_trip());
+  if (sends_parts())
+    part = known().parts_out.next(now.steady, bytes_of_a_part(),
+                                  config_->retransmission + round_trip().of_event());
   const bool owes = can_send() && acknowledge_parts_at_ && now.steady >= *acknowledge_parts_at_;
   if (!part && !owes) return std::nullopt;
   if (!part) part.emplace();
@@ -361,8 +351,8 @@ void Peer::part_written(const wire::Part& part, Duration until) {
 }
 
 wire::Part Peer::take_state_part(wire::Slot slot, Now now, Duration until) {
-  wire::Part part =
-      session_->long_states.take(slot, bytes_of_a_part(), now.steady, round_trip(), until);
+  wire::Part part = session_->long_states.take(slot, bytes_of_a_part(), now.steady,
+                                               round_trip().of_state_part(), until);
   acknowledge(session_->lives.present().state_parts, part);
   part_written(part, until);
   return part;
@@ -377,7 +367,8 @@ std::optional<wire::Part> Peer::take_part(Now now) {
 std::optional<wire::Sample> Peer::take_next(Now now) {
   if (!limited_ || !out_condition_.up || now.steady < limited_->free_at()) return std::nullopt;
   const bool has_own = !recalled_ && relays_ == 0;
-  const wire::Sample* own = has_own ? known().outgoing.first_due(now, round_trip()) : nullptr;
+  const wire::Sample* own =
+      has_own ? known().outgoing.first_due(now, round_trip().of_event()) : nullptr;
   const wire::Sample* passing = limited_->first_passing(now.mission);
   const bool passes = passing != nullptr && (own == nullptr || turn_of_passing_);
   const wire::Sample* event = passes ? passing : own;
@@ -385,7 +376,8 @@ std::optional<wire::Sample> Peer::take_next(Now now) {
   if (relays_ == 0) part = due_part(now);
   LimitedChannel::Waiting first;
   if (sends_state_parts())
-    first.long_states = session_->long_states.due(now.steady, bytes_of_a_part(), round_trip());
+    first.long_states =
+        session_->long_states.due(now.steady, bytes_of_a_part(), round_trip().of_state_part());
   if (heartbeat_due(now.steady)) first.heartbeat = heartbeat_bytes();
   if (event != nullptr) first.event = channel_bytes(*event);
   if (part) first.part = channel_bytes(*part);
@@ -412,12 +404,15 @@ std::optional<Duration> Peer::next_wakeup() const {
   if (reachable_) silent = known().lives.present().last_heard + silence_limit();
   if (!can_send()) return silent;
   auto write = sooner(next_heartbeat_, acknowledge_at_);
-  if (!recalled_) write = sooner(write, known().outgoing.next_due(round_trip()));
+  if (!recalled_) write = sooner(write, known().outgoing.next_due(round_trip().of_event()));
   write = sooner(write, acknowledge_parts_at_);
   if (sends_parts())
-    write = sooner(write, known().parts_out.next_due(bytes_of_a_part(), round_trip()));
+    write =
+        sooner(write, known().parts_out.next_due(
+                          bytes_of_a_part(), config_->retransmission + round_trip().of_event()));
   if (sends_state_parts())
-    write = sooner(write, session_->long_states.next_due(bytes_of_a_part(), round_trip()));
+    write = sooner(write,
+                   session_->long_states.next_due(bytes_of_a_part(), round_trip().of_state_part()));
   if (limited_ && out_condition_.up) {
     if (limited_->has_any()) write = limited_->free_at();
     write = std::max(*write, limited_->free_at());

@@ -15,6 +15,7 @@
 #include "long_states.hpp"
 #include "outgoing_events.hpp"
 #include "outgoing_parts.hpp"
+#include "round_trip.hpp"
 #include "skein/blackboard/blackboard.hpp"
 
 namespace skein::blackboard {
@@ -40,10 +41,7 @@ class Peer {
   /// What has passed between this node and the peer.
   struct Session {
     explicit Session(const Config& config)
-        : outgoing(config.held_events, config.retransmission),
-          parts_out(config.retransmission),
-          long_states(config.retransmission),
-          lives(config) {}
+        : outgoing(config.held_events, config.retransmission), lives(config) {}
     OutgoingEvents outgoing;
     OutgoingParts parts_out;  ///< of long events
     LongStates long_states;
@@ -92,9 +90,8 @@ class Peer {
   void put(wire::Sample value);
   /// A state to the peer is given to the transport, which keeps it: older ones need not be said.
   void pass_by(const wire::Sample& state);
-  /// States that wait for room in a channel that takes no turns any more, to be written at once;
-  /// the long ones only if it is up.
-  std::vector<wire::Sample> let_go(bool up);
+  /// States that wait for room in a channel that takes no turns any more, to be written at once.
+  std::vector<wire::Sample> let_go();
   /// The route to the peer has this many relays (0: direct). `heard_of`: relays connect the peer to
   /// this node. `anew`: all events are written again.
   void set_way(std::size_t relays, bool heard_of, bool anew, Now now);
@@ -160,8 +157,7 @@ class Peer {
   /// The session, which begins now if there is none.
   Session& session();
   /// Delay of channels and acknowledgements, to be added to time-outs.
-  Duration round_trip() const;
-  Duration acknowledgement_delay() const;
+  RoundTrip round_trip() const;
   void owe_acknowledgement(Duration now);
   void take_acknowledgement(const wire::Heartbeat& heartbeat, std::vector<Incoming>& out);
   /// The part to be written now: content of an own event, or an acknowledgement of what came in

@@ -30,7 +30,7 @@ using testing::telemetry;
 
 const Node kGround{NodeNumber(1), "ground"};
 const Node kUav{NodeNumber(2), "uav"};
-constexpr Duration kRetransmission = Duration::milliseconds(300);
+constexpr Duration kTimeOut = Duration::milliseconds(300);
 
 wire::Sample numbered(std::uint64_t number, std::size_t bytes) {
   wire::HandOver event = hand_over(number, bytes);
@@ -49,64 +49,99 @@ wire::Part with_header(wire::Part part, std::uint64_t incarnation = 1) {
 
 // ---- the two halves ----
 
-TEST(OutgoingParts, KeepsSoManyUnderWayAndBeginsAgainWhereThePeerIs) {
-  OutgoingParts parts(kRetransmission);
-  parts.hold(numbered(kFirstLongEvent, 100'000), 0);
+/// Offsets of all that may be written now.
+std::vector<std::uint32_t> write_all(OutgoingParts& parts, Duration now) {
   std::vector<std::uint32_t> offsets;
-  const auto write_all = [&](Duration now) {
-    offsets.clear();
-    while (const auto part = parts.next(now, 1'000, {})) {
-      offsets.push_back(part->offset);
-      parts.written(*part, now);
-    }
-  };
+  while (const auto part = parts.next(now, 1'000, kTimeOut)) {
+    offsets.push_back(part->offset);
+    parts.written(*part, now);
+  }
+  return offsets;
+}
 
-  write_all({});
-  EXPECT_EQ(offsets.size(), OutgoingParts::kPartsUnderWay);
-  parts.heard(kFirstLongEvent, 5'000);
-  write_all({});
-  EXPECT_THAT(offsets, ElementsAre(16'000, 17'000, 18'000, 19'000, 20'000));
-  write_all(Duration::milliseconds(299));
-  EXPECT_THAT(offsets, IsEmpty());
-  write_all(kRetransmission);
-  EXPECT_EQ(offsets.front(), 5'000U);
-  parts.heard(kFirstLongEvent, 0);  // it was restarted
-  write_all(kRetransmission);
-  EXPECT_EQ(offsets.front(), 0U);
+TEST(OutgoingParts, KeepsSoManyUnderWayAndBeginsAgainWhereThePeerIs) {
+  OutgoingParts parts;
+  parts.hold(numbered(kFirstLongEvent, 100'000), 0);
+
+  EXPECT_EQ(write_all(parts, {}).size(), OutgoingParts::kPartsUnderWay);
+  parts.heard(kFirstLongEvent, 5'000, false);
+  EXPECT_THAT(write_all(parts, {}), ElementsAre(16'000, 17'000, 18'000, 19'000, 20'000));
+  parts.heard(kFirstLongEvent, 0, false);  // it was restarted
+  EXPECT_EQ(write_all(parts, kTimeOut).front(), 0U);
+}
+
+// What is missing of what it was told the peer says by itself: the last part asks it.
+TEST(OutgoingParts, AfterATimeOutTheLastPartAloneIsWrittenAgain) {
+  OutgoingParts parts;
+  parts.hold(numbered(kFirstLongEvent, 4'500), 0);
+  ASSERT_THAT(write_all(parts, {}), ElementsAre(0, 1'000, 2'000, 3'000, 4'000));
+
+  EXPECT_THAT(write_all(parts, Duration::milliseconds(299)), IsEmpty());
+  EXPECT_THAT(write_all(parts, kTimeOut), ElementsAre(4'000));
+  EXPECT_THAT(write_all(parts, kTimeOut + kTimeOut), ElementsAre(4'000));
+}
+
+// Each part that was under way behind it names the gap.
+TEST(OutgoingParts, WhatThePeerLacksIsWrittenAgainAtOnceAndOnce) {
+  OutgoingParts parts;
+  parts.hold(numbered(kFirstLongEvent, 4'500), 0);
+  write_all(parts, {});
+
+  parts.heard(kFirstLongEvent, 1'000, true);
+  EXPECT_THAT(write_all(parts, {}), ElementsAre(1'000));
+  parts.heard(kFirstLongEvent, 1'000, true);
+  EXPECT_THAT(write_all(parts, {}), IsEmpty());
+  parts.heard(kFirstLongEvent, 3'000, true);
+  EXPECT_THAT(write_all(parts, {}), ElementsAre(3'000)) << "another gap";
+
+  EXPECT_THAT(write_all(parts, kTimeOut), ElementsAre(3'000)) << "it was lost once more";
+  parts.heard(kFirstLongEvent, 4'000, false);
+  EXPECT_THAT(write_all(parts, kTimeOut + kTimeOut), ElementsAre(4'000));
+}
+
+// What is said for the first time goes on behind it.
+TEST(OutgoingParts, AGapIsFilledBeforeWhatFollows) {
+  OutgoingParts parts;
+  parts.hold(numbered(kFirstLongEvent, 4'500), 0);
+  for (int i = 0; i < 3; ++i) parts.written(*parts.next({}, 1'000, kTimeOut), {});
+
+  parts.heard(kFirstLongEvent, 0, true);
+
+  EXPECT_THAT(write_all(parts, {}), ElementsAre(0, 3'000, 4'000));
 }
 
 // A sender that comes back holds what it had said before too.
 TEST(OutgoingParts, WhatThePeerHadBeforeTheOneThatItNamesIsOver) {
-  OutgoingParts parts(kRetransmission);
+  OutgoingParts parts;
   for (const std::uint64_t receipt : {31, 0, 33, 34})
     parts.hold(numbered(parts.next_number(), 50'000), receipt);
-  EXPECT_THAT(parts.heard(kFirstLongEvent + 9, 5'000), IsEmpty()) << "one that nobody said";
+  EXPECT_THAT(parts.heard(kFirstLongEvent + 9, 5'000, false), IsEmpty()) << "one that nobody said";
   ASSERT_EQ(parts.size(), 4U);
 
-  EXPECT_THAT(parts.heard(kFirstLongEvent + 3, 5'000), ElementsAre(31, 33));
+  EXPECT_THAT(parts.heard(kFirstLongEvent + 3, 5'000, false), ElementsAre(31, 33));
 
   EXPECT_EQ(parts.size(), 1U);
   EXPECT_EQ(parts.settled(), kFirstLongEvent + 2);
-  EXPECT_EQ(parts.next({}, 1'000, {})->offset, 5'000U);
+  EXPECT_EQ(parts.next({}, 1'000, kTimeOut)->offset, 5'000U);
 }
 
 TEST(OutgoingParts, WhatWasAcknowledgedInAFormerLifeIsNotSaidAgain) {
-  OutgoingParts parts(kRetransmission);
+  OutgoingParts parts;
   for (int i = 0; i < 3; ++i) parts.hold(numbered(parts.next_number(), 50'000), 0);
 
   parts.recall_acknowledged(kFirstLongEvent + 1);
 
-  EXPECT_EQ(parts.next({}, 1'000, {})->number, kFirstLongEvent + 2);
+  EXPECT_EQ(parts.next({}, 1'000, kTimeOut)->number, kFirstLongEvent + 2);
 }
 
 // Its receiver compares the incarnation of the event with that of its parts.
 TEST(OutgoingParts, WhoTakesAnotherIncarnationSaysItInTheEventToo) {
-  OutgoingParts out(kRetransmission);
+  OutgoingParts out;
   out.hold(numbered(kFirstLongEvent, 5'000), 0);
   out.become(7);
   IncomingParts in;
   std::optional<std::variant<wire::Sample, Malformed>> whole;
-  while (const auto part = out.next({}, 1'000, {})) {
+  while (const auto part = out.next({}, 1'000, kTimeOut)) {
     out.written(*part, {});
     whole = in.take(with_header(*part, 7));
   }
@@ -116,7 +151,7 @@ TEST(OutgoingParts, WhoTakesAnotherIncarnationSaysItInTheEventToo) {
 }
 
 TEST(OutgoingParts, WhatExpiresIsToldAndMakesWayForTheNext) {
-  OutgoingParts parts(kRetransmission);
+  OutgoingParts parts;
   wire::Sample first = numbered(kFirstLongEvent, 50'000);
   wire::header_of(first).expires = 1'000'000'000;
   parts.hold(first, 9);
@@ -128,7 +163,51 @@ TEST(OutgoingParts, WhatExpiresIsToldAndMakesWayForTheNext) {
   EXPECT_EQ(expired[0].slot, wire::Slot::kHandOver);
   EXPECT_EQ(expired[0].receipt, 9U);
   EXPECT_FALSE(expired[0].may_have_arrived);
-  EXPECT_EQ(parts.next({}, 1'000, {})->number, kFirstLongEvent + 1);
+  EXPECT_EQ(parts.next({}, 1'000, kTimeOut)->number, kFirstLongEvent + 1);
+}
+
+TEST(IncomingParts, WhatComesBehindAGapIsKeptAndTheGapIsNamed) {
+  OutgoingParts out;
+  out.hold(numbered(kFirstLongEvent, 3'500), 0);
+  std::vector<wire::Part> all;
+  while (const auto part = out.next({}, 1'000, kTimeOut)) {
+    out.written(*part, {});
+    all.push_back(with_header(*part));
+  }
+  ASSERT_EQ(all.size(), 4U);
+  IncomingParts in;
+  const auto lacks_after = [&](std::size_t part) {
+    EXPECT_FALSE(in.take(all[part]).has_value());
+    return in.ack_lacks();
+  };
+
+  EXPECT_TRUE(lacks_after(1)) << "the first was lost";
+  EXPECT_FALSE(lacks_after(0));
+  EXPECT_EQ(in.ack_bytes(), 2'000U);
+  EXPECT_FALSE(lacks_after(0)) << "comes twice";
+  EXPECT_TRUE(lacks_after(3));
+  EXPECT_EQ(in.ack_bytes(), 2'000U);
+
+  const auto whole = in.take(all[2]);
+  ASSERT_TRUE(whole.has_value());
+  EXPECT_EQ(std::get<wire::Sample>(*whole), numbered(kFirstLongEvent, 3'500));
+}
+
+TEST(IncomingParts, KeepNoMoreBehindAGapThanMayBeUnderWay) {
+  static_assert(IncomingParts::kMostLater == OutgoingParts::kPartsUnderWay);
+  OutgoingParts out;
+  out.hold(numbered(kFirstLongEvent, 50'000), 0);
+  const wire::Part first = with_header(*out.next({}, 1'000, kTimeOut));
+  IncomingParts in;
+  for (std::uint32_t i = 1; i < 30; ++i) {
+    wire::Part later = first;
+    later.offset = i * 1'000;
+    in.take(later);
+  }
+
+  in.take(first);
+
+  EXPECT_EQ(in.ack_bytes(), 1'000 * (1 + IncomingParts::kMostLater));
 }
 
 TEST(IncomingParts, RefusesWhatMakesNoSense) {
@@ -165,7 +244,7 @@ RC_GTEST_PROP(LongEvents, EachComesWholeAndOnceWhateverHappensOnTheWay, ()) {
                               rc::gen::inRange<std::uint16_t>(20, 30'000))));
   const auto fates =
       *rc::gen::container<std::vector<std::uint8_t>>(200, rc::gen::inRange<std::uint8_t>(0, 40));
-  OutgoingParts out(kRetransmission);
+  OutgoingParts out;
   IncomingParts in;
   std::vector<std::uint64_t> handled;
   std::size_t turn = 0;
@@ -177,7 +256,7 @@ RC_GTEST_PROP(LongEvents, EachComesWholeAndOnceWhateverHappensOnTheWay, ()) {
 
   for (Duration now; !out.empty(); now = now + Duration::milliseconds(100)) {
     RC_ASSERT(now < Duration::milliseconds(10'000'000));
-    while (const auto part = out.next(now, 700, {})) {
+    while (const auto part = out.next(now, 700, kTimeOut)) {
       out.written(*part, now);
       const int what = fate();
       const int copies = what < 8 ? 0 : what < 12 ? 2 : 1;
@@ -195,12 +274,12 @@ RC_GTEST_PROP(LongEvents, EachComesWholeAndOnceWhateverHappensOnTheWay, ()) {
         if (!handled.empty()) in.recall(1, handled.back());
       }
       if (what == 14) {
-        out = OutgoingParts(kRetransmission);
+        out = OutgoingParts();
         hold_all();
       }
     }
     if (in.owes() && fate() >= 8) {
-      out.heard(in.ack_number(), in.ack_bytes());
+      out.heard(in.ack_number(), in.ack_bytes(), in.ack_lacks());
       in.told();
     }
   }
@@ -377,16 +456,16 @@ TEST(LongEvents, AreRefusedWhenThereAreTooManyOrTheyAreTooLong) {
 }
 
 TEST(OutgoingParts, IsFullWithSoManyAndWithSoMuch) {
-  OutgoingParts few(kRetransmission);
+  OutgoingParts few;
   while (!few.full()) few.hold(numbered(few.next_number(), 5'000'000), 0);
   EXPECT_EQ(few.size(), 4U);
   few.give_up(kFirstLongEvent + 1);
   EXPECT_FALSE(few.full());
-  few.heard(kFirstLongEvent + 2, 0);
+  few.heard(kFirstLongEvent + 2, 0, false);
   few.hold(numbered(few.next_number(), 5'000'000), 0);
   EXPECT_FALSE(few.full());
 
-  OutgoingParts many(kRetransmission);
+  OutgoingParts many;
   while (!many.full()) many.hold(numbered(many.next_number(), 100), 0);
   EXPECT_EQ(many.size(), OutgoingParts::kMostHeld);
 }

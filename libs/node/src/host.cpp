@@ -444,6 +444,7 @@ void Host::apply(const wire::LinkState& link, Now now) {
   const NodeNumber to(link.to);
   if (from != self_.number && to != self_.number) return;
   told_.insert({from, to});
+  if (!link.up && config_.told == ToldOfLinks::kNotOfCuts) return;
   const NodeNumber peer = from == self_.number ? to : from;
   const blackboard::ChannelCondition condition = condition_of(link);
   if (condition.up) {
@@ -455,6 +456,7 @@ void Host::apply(const wire::LinkState& link, Now now) {
 }
 
 void Host::apply_to_others(const wire::LinkState& link, Now now) {
+  if (!link.up && config_.told == ToldOfLinks::kNotOfCuts) return;
   const blackboard::ChannelCondition condition = condition_of(link);
   others_are_down_ = !condition.up;
   for (const NodeNumber peer : roster_.peers_of(self_)) {
@@ -467,7 +469,7 @@ void Host::apply_to_others(const wire::LinkState& link, Now now) {
 
 blackboard::ChannelCondition Host::condition_of(const wire::LinkState& link) const {
   blackboard::ChannelCondition condition;
-  condition.up = link.up || config_.told == ToldOfLinks::kNotOfCuts;
+  condition.up = link.up;
   condition.latency = Duration::seconds(static_cast<double>(link.latency) * 1e-9 / config_.rate);
   condition.loss = link.loss;
   condition.capacity = link.capacity * config_.rate * config_.share_of_samples;

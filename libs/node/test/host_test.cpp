@@ -210,6 +210,26 @@ TEST_F(Hosts, AHostThatIsToldOfNoCutsKeepsItsChannelsUp) {
   EXPECT_TRUE((*this)["marvin"].host->all_peers_heard());
 }
 
+// Found by random missions (--anything --capacity 9600 12): a channel without a limit took a plan
+// of 5 kB whole, and when the link was back nothing else was heard for 4 s.
+TEST_F(Hosts, AHostThatIsToldOfNoCutsKeepsTheCapacityInOne) {
+  told = ToldOfLinks::kNotOfCuts;
+  start("marvin", 2);
+  start("heliv", 2);
+  meet();
+  wire::LinkState narrow = link(number("marvin"), number("heliv"), true);
+  narrow.capacity = 10'000;
+  (*this)["sim"].host->publish(narrow, now());
+  settle();
+  set_link("marvin", "heliv", false);
+
+  const wire::FunctionalRequest event;
+  act("marvin", {Send{number("heliv"), event}, Send{number("heliv"), event}});
+  advance(0.9 * 8 * static_cast<double>(blackboard::channel_bytes(event)) / 10'000);
+
+  EXPECT_LE((*this)["heliv"].diary.samples<wire::FunctionalRequest>().size(), 1U);
+}
+
 TEST_F(Hosts, AHostThatIsToldNothingOfLinksLosesNothingOfItself) {
   told = ToldOfLinks::kNothing;
   start("marvin", 2);

@@ -85,9 +85,10 @@ struct Part {
   std::uint64_t ack_incarnation = 0;  ///< of the peer, whose long event that is
   std::uint64_t ack_number = 0;  ///< of the peer's long event that is coming, or came last; 0: none
   std::uint32_t ack_bytes = 0;  ///< so much of it is there; all: it was handled
+  bool ack_lacks = false;  ///< what follows these bytes was lost: later ones have come
   bool operator==(const Part&) const = default;
 };
 SKEIN_WIRE_FIELDS(Part, header, number, of_slot, total, offset, content, ack_incarnation,
-    ack_number, ack_bytes)
+    ack_number, ack_bytes, ack_lacks)
 
 }  // namespace skein::wire
