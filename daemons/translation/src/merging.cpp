@@ -112,6 +112,7 @@ wire::MergeMessage to_wire(const merging::Message& message) {
   sample.version = message.version;
   sample.known = message.known;
   sample.brief = message.brief;
+  sample.lacks = message.lacks;
   return sample;
 }
 
@@ -131,6 +132,7 @@ Read<merging::Message> from_wire(const wire::MergeMessage& sample) {
   message.version = sample.version;
   message.known = sample.known;
   message.brief = sample.brief;
+  message.lacks = sample.lacks;
   return message;
 }
 

@@ -69,6 +69,7 @@ RC_GTEST_PROP(MergeMessage, ComesBackAsItWent, ()) {
   message.version = *rc::gen::arbitrary<std::uint64_t>();
   message.known = *rc::gen::arbitrary<std::uint64_t>();
   message.brief = *rc::gen::arbitrary<bool>();
+  message.lacks = *rc::gen::arbitrary<bool>();
 
   const auto back = from_wire(to_wire(message));
 

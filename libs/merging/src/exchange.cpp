@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/merging/exchange.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace skein::merging {
 
-bool Exchange::hear(const Message& message) {
+bool Exchange::hear(const Message& message, MissionTime now) {
   const bool by_witness = !message.of.empty();
-  if (!by_witness) arrived_ = message.known == told_version_;
-  if (message.brief && message.version != version_) return false;
+  if (!by_witness) {
+    const bool is_known = message.known == told_version_;
+    if (is_known && !arrived_ && in_full_ == 1) round_trip_ = now - told_at_;
+    arrived_ = is_known;
+  }
+  if (message.lacks) on_its_way_until_ = {};
+  lacks_ = message.brief && message.version != version_;
+  if (lacks_) return false;
   number_ = message.number;
   heard_ = true;
   if (message.brief) return true;
@@ -22,6 +29,9 @@ Message Exchange::tell(Claim own, std::uint64_t number, MissionTime now, Duratio
     told_ = own;
     told_version_ = number;
     arrived_ = false;
+    on_its_way_until_ = {};
+    in_full_ = 0;
+    told_at_ = now;
     again_.pause = beat;
   }
   again_.last = now;
@@ -29,8 +39,12 @@ Message Exchange::tell(Claim own, std::uint64_t number, MissionTime now, Duratio
   message.number = number;
   message.version = told_version_;
   message.known = version_;
-  message.brief = arrived_;
-  if (!message.brief) message.claim = std::move(own);
+  message.lacks = lacks_;
+  message.brief = arrived_ || now < on_its_way_until_;
+  if (message.brief) return message;
+  ++in_full_;
+  on_its_way_until_ = now + kOnItsWay;
+  message.claim = std::move(own);
   return message;
 }
 
@@ -41,7 +55,7 @@ void Exchange::claims(const Claim& own, Duration beat) {
 }
 
 std::optional<MissionTime> Exchange::due() const {
-  return arrived_ ? std::nullopt : std::optional(again_.due());
+  return arrived_ ? std::nullopt : std::optional(std::max(again_.due(), on_its_way_until_));
 }
 
 }  // namespace skein::merging

@@ -80,7 +80,7 @@ void Merger::on(const Heard& heard) {
   if (found == nullptr || found->exchange.is_old(message)) return;
   Peer& peer = *found;
   const bool is_new = !peer.exchange.has_heard();
-  if (!peer.exchange.hear(message)) return tell(whose, false);  // by which it hears that
+  if (!peer.exchange.hear(message, now_)) return tell(whose, false);  // by which it hears that
   if (peer.claim().wanted.empty())
     peer.wants_since.reset();
   else if (!peer.wants_since)
@@ -91,7 +91,7 @@ void Merger::on(const Heard& heard) {
   if (answers && !message.granted) close(limits_.again);
   answer(peer);
   const bool is_said_again = !message.brief && !by_witness;  // until it is known that it arrived
-  if (is_new || message.asks || is_said_again) tell(whose, false);
+  if (is_new || message.asks || message.lacks || is_said_again) tell(whose, false);
 }
 
 /// Between this and a later one: yes to what this one neither has nor asks for; to an earlier one,
@@ -120,6 +120,7 @@ void Merger::on(const InReach& reach) {
   const bool back = reach.reachable && !peer->reachable;
   const bool lost = !reach.reachable && peer->reachable;
   peer->reachable = reach.reachable;
+  if (lost) peer->exchange.is_cut();
   if (third_ && lost && is_among(told_.to_leave(), reach.peer)) changed_ = true;
   if (back || (reach.reachable && !peer->exchange.has_heard())) tell(reach.peer, true);
 }
@@ -247,9 +248,10 @@ bool Merger::ask() {
     return true;
   }
   request_ = requests_.next(now_);
-  deadline_ = now_ + limits_.patience;
-  asked_.pause = limits_.repeat;
   for (auto& [name, peer] : peers_) peer.agreed = false;
+  const Duration round_trip = peers_.slowest();
+  deadline_ = now_ + limits_.patience + round_trip;
+  asked_.pause = limits_.repeat + round_trip;
   if (third_) third_->agreed = false;
   changed_ = true;
   return true;
@@ -342,7 +344,7 @@ void Merger::tell_again() {
 }
 
 void Merger::ask_again() {
-  asked_.repeated(now_, limits_.patience);
+  asked_.repeated(now_, limits_.patience + peers_.slowest());
   for (const auto& [name, peer] : peers_) {
     if (peer.needed && !peer.agreed) tell(name, true);
   }

@@ -63,6 +63,13 @@ Volumes Peers::ends() const {
   return all;
 }
 
+Duration Peers::slowest() const {
+  Duration slowest;
+  for (const auto& [name, peer] : all_)
+    if (peer.reachable && !peer.agreed) slowest = std::max(slowest, peer.exchange.round_trip());
+  return slowest;
+}
+
 bool Peers::flies(const std::string& name) const {
   const Peer* peer = find(name);
   return peer != nullptr && peer->reachable && peer->flies();

@@ -25,7 +25,7 @@ void says(Peers& peers, const std::string& who, Volumes held, Volumes wanted,
   message.number = 1;
   while (exchange.is_old(message)) ++message.number;
   message.claim = {std::move(held), request, std::move(wanted), {}};
-  exchange.hear(message);
+  exchange.hear(message, MissionTime());
 }
 
 TEST(Peers, TheEarlierOfTheRosterDecides) {
@@ -51,6 +51,22 @@ TEST(Peers, WhatTheyWantIsTakenOnceTheyAskForIt) {
   EXPECT_THAT(peers.taken({"a"}), ElementsAre(spot(0), spot(100), spot(200), spot(300)));
 }
 
+TEST(Peers, TheSlowestOfThoseWhoHaveNotAgreedSetsThePace) {
+  Peers peers = others();
+  EXPECT_EQ(peers.slowest(), Duration()) << "nothing is known of how long words take";
+  for (const auto& [name, seconds] : std::map<std::string, double>{{"a", 1.5}, {"c", 0.5}}) {
+    Exchange& exchange = peers.find(name)->exchange;
+    Message answer;
+    answer.number = 1;
+    answer.known = exchange.tell({{spot(9)}, 0, {}, {}}, 7, MissionTime(), Duration()).version;
+    exchange.hear(answer, MissionTime::seconds(seconds));
+  }
+  EXPECT_EQ(peers.slowest(), Duration::milliseconds(1'500));
+  peers.find("a")->agreed = true;
+  EXPECT_EQ(peers.slowest(), Duration::milliseconds(500));
+  peers.find("c")->reachable = false;
+  EXPECT_EQ(peers.slowest(), Duration());
+}
 TEST(Peers, WhoIsOutOfReachIsTakenToStayWhereItIs) {
   Peers peers = others();
   says(peers, "a", {spot(0)}, {spot(50), spot(100)});

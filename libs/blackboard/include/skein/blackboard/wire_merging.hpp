@@ -46,6 +46,7 @@ struct MergeMessage {
   bool asks = false;  ///< the sender expects an answer
   bool keeps = false;  ///< to the ground station: a request to keep `wanted` free in advance
   bool brief = false;  ///< air, request and `waits_for` are left out: the receiver has this version
+  bool lacks = false;  ///< the sender does not have the version that the receiver left out
   std::vector<AirRow> held;  ///< reserved air: no other UAV may enter
   std::vector<AirRow> wanted;  ///< air that the request asks for
   std::vector<std::string> waits_for;  ///< UAVs that hold some of `wanted`
@@ -53,6 +54,6 @@ struct MergeMessage {
   bool operator==(const MergeMessage&) const = default;
 };
 SKEIN_WIRE_FIELDS(MergeMessage, header, number, request, answered, version, known, granted, asks,
-    keeps, brief, held, wanted, waits_for, of)
+    keeps, brief, lacks, held, wanted, waits_for, of)
 
 }  // namespace skein::wire

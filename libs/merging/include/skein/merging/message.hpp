@@ -34,7 +34,9 @@ struct Message {
   /// witness.
   std::uint64_t version = 0;
   std::uint64_t known = 0;  ///< version of the receiver's claim that the sender has; 0: none
-  bool brief = false;       ///< `claim` is left out: the receiver has said that it has this version
+  bool brief =
+      false;  ///< `claim` is left out: the receiver has this version, or will when it comes
+  bool lacks = false;  ///< the sender does not have the version that the receiver left out
   bool operator==(const Message&) const = default;
 };
 

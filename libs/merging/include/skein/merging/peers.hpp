@@ -53,6 +53,8 @@ class Peers {
   Volumes taken(const std::vector<std::string>& wanting = {}) const;
   /// Where each stays, or will stay at the end of its way.
   Volumes ends() const;
+  /// The greatest round trip to one in reach that has not agreed.
+  Duration slowest() const;
   /// Whether one that is in reach is under way.
   bool flies(const std::string& name) const;
 
