@@ -24,10 +24,11 @@ namespace lines = journal::lines;
 using journal::Record;
 using journal::Written;
 
-/// So often may a healthy radio break a law.
-constexpr double kHardlyEver = 1e-6;
 /// Beyond three heartbeats, until the silence of a cut is noticed.
 constexpr Duration kSilenceIsSeen = Duration::milliseconds(2'000);
+/// Events from this number on are long: on a narrow channel they go in parts, after everything
+/// else.
+constexpr std::uint64_t kFirstLong = std::uint64_t{1} << 50U;
 /// Who is told that a link is up has what waited by then.
 constexpr Duration kTold = Duration::milliseconds(1'000);
 
@@ -169,12 +170,14 @@ class Judge {
       const bool waited = message.sent < healed && message.sent != MissionTime() &&
                           (!message.settled || *message.settled > healed);
       if (!waited) continue;
-      const bool late = !message.settled || *message.settled > by;
-      if (late && stays_whole(channel, healed, by))
-        breach(by, to_text(channel) + ": " + message.slot + " " + std::to_string(sequence) +
-                       " of " + skein::to_text(message.sent) +
-                       " s has not come since the link is whole, " + skein::to_text(healed) +
-                       " s, after a cut since " + skein::to_text(broken) + " s");
+      const bool in_parts = sequence >= kFirstLong && limits_.each > Duration();
+      const MissionTime due = in_parts ? by + limits_.rerouting : by;
+      const bool late = !message.settled || *message.settled > due;
+      if (late && stays_whole(channel, healed, due))
+        breach(due, to_text(channel) + ": " + message.slot + " " + std::to_string(sequence) +
+                        " of " + skein::to_text(message.sent) +
+                        " s has not come since the link is whole, " + skein::to_text(healed) +
+                        " s, after a cut since " + skein::to_text(broken) + " s");
       by = by + limits_.each;
     }
   }
@@ -247,15 +250,8 @@ class Judge {
 
 HealingLimits healing_limits(const scenario::Scenario& scenario) {
   const scenario::RadioSpec& radio = scenario.radio;
-  double loss = radio.model.loss;
-  Duration latency = radio.model.latency;
-  for (const scenario::LinkSpec& link : radio.links) {
-    loss = std::max(loss, link.loss.value_or(0));
-    latency = std::max(latency, link.latency.value_or(Duration()));
-  }
-  if (scenario.variations.loss) loss = std::max(loss, scenario.variations.loss->high);
-  if (scenario.variations.latency)
-    latency = std::max(latency, Duration::seconds(scenario.variations.latency->high));
+  const double loss = greatest_loss(scenario);
+  const Duration latency = greatest_latency(scenario);
   HealingLimits limits;
   const Duration beats = radio.heartbeat + radio.heartbeat + radio.heartbeat;
   limits.noticed = std::max(limits.noticed, beats + kSilenceIsSeen);
@@ -264,8 +260,7 @@ HealingLimits healing_limits(const scenario::Scenario& scenario) {
     return limits;
   }
   limits.each = airtime_of_an_event(radio);
-  double heartbeats = 3;
-  if (loss > 0) heartbeats = std::max(heartbeats, 2 + std::log(kHardlyEver) / std::log(loss));
+  const double heartbeats = std::max(3.0, 2 + tries(loss));
   limits.healing = Duration::seconds(heartbeats * radio.heartbeat.to_seconds()) + latency + latency;
   return limits;
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "airtime.hpp"
 #include "checks.hpp"
 #include "skein/scenario/narrowest.hpp"
 #include "statement.hpp"
@@ -161,12 +162,27 @@ std::optional<double> reached(const History& history, const std::string& one,
 }
 
 /// [s] For a word about a plan, and as much again that is on its way before it, on the narrowest of
-/// the links.
-double on_the_air(const scenario::RadioSpec& radio, std::uint64_t arcs) {
+/// the links. Past a relay the words to all others go over one link, one after the other.
+double on_the_air(const History& history, std::uint64_t arcs) {
   constexpr double kUsual = 2'500;              // [byte] a network of some twenty tasks, told whole
   constexpr double kArc = 32, kCarrying = 1.5;  // [byte]; of what goes in parts
   const double bytes = std::max(kUsual, static_cast<double>(arcs) * kArc * kCarrying);
-  return 8.0 * 2 * bytes / scenario::narrowest(radio).value_or(kNever);
+  const scenario::RadioSpec& radio = history.scenario->radio;
+  const double uavs = static_cast<double>(history.scenario->uavs.size());
+  const double words = radio.relays.empty() ? 2 : std::max(2.0, uavs);
+  return 8.0 * words * bytes / scenario::narrowest(radio).value_or(kNever);
+}
+
+/// [s] On a narrow link that loses parts of it: until each was said again, or asked for, as often
+/// as may be.
+double said_again(const scenario::Scenario& scenario) {
+  constexpr double kSample = 8 * 512;  // [bit]
+  const auto capacity = scenario::narrowest(scenario.radio);
+  const double loss = greatest_loss(scenario);
+  if (!capacity || loss <= 0 || loss >= 1) return 0;
+  const double one_way = greatest_latency(scenario).to_seconds() + kSample / *capacity;
+  const double either = 1 - (1 - loss) * (1 - loss);
+  return tries(either) * (scenario.radio.heartbeat.to_seconds() / 10 + 2 * one_way);
 }
 
 }  // namespace
@@ -174,10 +190,10 @@ double on_the_air(const scenario::RadioSpec& radio, std::uint64_t arcs) {
 // Words of those who died, or to them, may be lost with them.
 std::vector<Violation> plan_words_unheard(const History& history) {
   std::vector<Violation> result;
+  const double again = said_again(*history.scenario);
   for (const auto& [name, uav] : history.uavs) {
     for (auto word = uav.plan_words.begin(); word != uav.plan_words.end(); ++word) {
-      const double within =
-          1 + on_the_air(history.scenario->radio, word->arcs) + history.late;  // [s]
+      const double within = 1 + on_the_air(history, word->arcs) + again + history.late;  // [s]
       const auto hearer = history.uavs.find(word->other);
       const bool died = history.dead.contains(name) || history.dead.contains(word->other);
       if (!word->sent || died || hearer == history.uavs.end()) continue;
@@ -217,19 +233,33 @@ bool is_the_last(const Uav& uav, const SyncHeard& word) {
   return awaited.empty();
 }
 
+/// [s] A word on a plan, said before the word that its author is there, may come so much later than
+/// that one, which is shorter and goes first; 0 where none was said lately, or no link is narrow.
+double later_by(const History& history, const std::string& hearer, const SyncHeard& there) {
+  const auto author = history.uavs.find(there.from);
+  if (author == history.uavs.end()) return 0;
+  double most = 0;
+  for (const PlanWord& word : author->second.plan_words) {
+    const double takes = on_the_air(history, word.arcs) + said_again(*history.scenario);
+    const bool lately = word.at <= there.at && there.at < word.at + takes;
+    if (word.sent && word.other == hearer && lately) most = std::max(most, takes);
+  }
+  return most;
+}
+
 }  // namespace
 
 // What is believed when the word comes that somebody is there: not that he could not be. That word
-// and those of plans come over one radio; where the ground station says when others come, by a hop
-// more.
+// and those of plans come over one radio; where it is narrow, not in their order, and where the
+// ground station says when others come, by a hop more.
 std::vector<Violation> come_before_foretold(const History& history) {
   const double moment = 1 + history.late;  // [s]
   const auto& planning = history.scenario->planning;
   const bool by_ground = planning && planning->consistency == temporal::Algorithm::kCip;
-  const double on_its_way = by_ground ? moment : 0;
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
     for (const SyncHeard& heard : uav.syncs_heard) {
+      const double on_its_way = (by_ground ? moment : 0) + later_by(history, name, heard);
       const Foretold* believed = nullptr;
       for (const Foretold& one : uav.foretold)
         if (one.id == heard.id && one.at <= heard.at + on_its_way) believed = &one;

@@ -81,6 +81,27 @@ TEST(Healing, IsKeptWhenBothKnowAndTheEventsComeInTime) {
               IsEmpty());
 }
 
+// Found by random missions (--minds 181): a hand-over of 3 kB on a channel of 9,600 bit/s.
+TEST(Healing, OnANarrowChannelALongEventComesInPartsBehindTheRest) {
+  const auto breaches = [](std::uint64_t sequence, double received, double each) {
+    HealingLimits limits;
+    limits.each = Duration::seconds(each);
+    return Log()
+        .cut(0, true)
+        .cut(10)
+        .message(15, "sent", sequence)
+        .cut(20, true)
+        .message(received, "received", sequence)
+        .breaches_within(limits);
+  };
+  constexpr std::uint64_t kLong = std::uint64_t{1} << 50U;
+
+  EXPECT_THAT(breaches(kLong, 35, 0.5), IsEmpty());
+  EXPECT_EQ(breaches(kLong, 60, 0.5).size(), 1U);
+  EXPECT_EQ(breaches(kLong, 35, 0).size(), 1U) << "it is not narrow";
+  EXPECT_EQ(breaches(7, 35, 0.5).size(), 1U);
+}
+
 TEST(Healing, IsBrokenByANodeThatDoesNotReachTheOtherAgain) {
   EXPECT_THAT(Log()
                   .cut(0, true)

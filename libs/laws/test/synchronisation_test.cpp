@@ -76,6 +76,21 @@ TEST(ForetoldLaw, AWordOfTheGroundStationIsAHopLonger) {
   EXPECT_EQ(told(102).dates_by_ground().broken("foretold").size(), 1U);
 }
 
+// Found by random missions (983023, 9,600 bit/s): both were said at once, and the longer came
+// later.
+TEST(ForetoldLaw, OnANarrowChannelTheWordThatSomebodyIsThereMayOvertakeThatOnHisPlan) {
+  const auto told = [](double said, double capacity) {
+    Story story;
+    story.foretold("marvin", 20, 500, "heliv", 90).hears("marvin", 60, 500, "heliv");
+    story.capacity(capacity).plan_word("heliv", "marvin", said, 60.5);
+    story.foretold("marvin", 60.5, 500, "heliv", 60);
+    return story;
+  };
+
+  EXPECT_THAT(told(59.5, 9'600).broken("foretold"), IsEmpty());
+  EXPECT_EQ(told(59.5, 0).broken("foretold").size(), 1U);
+  EXPECT_EQ(told(40, 9'600).broken("foretold").size(), 1U) << "that one came long ago";
+}
 TEST(ForetoldLaw, OfAnotherMeetingOrAnotherUavNothingIsSaid) {
   Story story;
   story.foretold("marvin", 20, 501, "heliv", 90).foretold("marvin", 20, 500, "karma", 90);
@@ -126,6 +141,34 @@ TEST(HealedLaw, AGreatNetworkTakesLongerThanASmallOne) {
     story.capacity(9'600).plan_word("marvin", "heliv", 30, 58.0, arcs);
     EXPECT_THAT(story.broken("healed"), SizeIs(arcs < 100 ? 1 : 0)) << arcs;
   }
+}
+
+// Found by random missions (961005): past a relay one link carries the words to all others.
+TEST(HealedLaw, PastARelayTheWordsToAllOthersAreOnOneLink) {
+  const auto heard_at = [](double at, bool relayed) {
+    Story story = parted(20, 50);
+    story.capacity(19'200).plan_word("marvin", "heliv", 30, at);
+    if (relayed) story.relay("karma");
+    return story;
+  };
+
+  EXPECT_THAT(heard_at(53.9, true).broken("healed"), IsEmpty());
+  EXPECT_THAT(heard_at(53.9, false).broken("healed"), SizeIs(1));
+  EXPECT_THAT(heard_at(55, true).broken("healed"), SizeIs(1));
+}
+
+// Found by random missions (960014): 22 of 100 parts are lost, and said again.
+TEST(HealedLaw, OnANarrowChannelWhatIsLostOfAWordIsSaidAgain) {
+  const auto heard_at = [](double at, double loss, double capacity) {
+    Story story = parted(20, 50);
+    story.capacity(capacity, loss).plan_word("marvin", "heliv", 30, at);
+    return story;
+  };
+
+  EXPECT_THAT(heard_at(58, 0.22, 19'200).broken("healed"), IsEmpty());
+  EXPECT_THAT(heard_at(58, 0, 19'200).broken("healed"), SizeIs(1));
+  EXPECT_THAT(heard_at(58, 0.22, 0).broken("healed"), SizeIs(1)) << "no parts there";
+  EXPECT_THAT(heard_at(70, 0.22, 19'200).broken("healed"), SizeIs(1));
 }
 
 TEST(HealedLaw, OnlyTheLastWordCounts) {

@@ -75,9 +75,10 @@ class Story {
     scenario_.planning->takes_most = Duration::seconds(seconds);
     return *this;
   }
-  /// Of each link [bit/s].
-  Story& capacity(double bits_per_second) {
+  /// Of each link [bit/s], and what it loses of what is not repeated.
+  Story& capacity(double bits_per_second, double loss = 0) {
     scenario_.radio.model.capacity = bits_per_second;
+    scenario_.radio.model.loss = loss;
     return *this;
   }
   world::Terrain terrain() const { return world::Terrain(scenario_.world.terrain); }
