@@ -171,6 +171,7 @@ class Judge {
                           (!message.settled || *message.settled > healed);
       if (!waited) continue;
       const bool in_parts = sequence >= kFirstLong && limits_.each > Duration();
+      by = by + takes(message) - limits_.each;
       const MissionTime due = in_parts ? by + limits_.rerouting : by;
       const bool late = !message.settled || *message.settled > due;
       if (late && stays_whole(channel, healed, due))
@@ -180,6 +181,12 @@ class Judge {
                         " s, after a cut since " + skein::to_text(broken) + " s");
       by = by + limits_.each;
     }
+  }
+
+  /// A hand-over says a whole mission.
+  Duration takes(const Message& message) const {
+    const Duration each = limits_.each;
+    return message.slot == "HandOver" ? each + each + each + each : each;
   }
 
   /// Neither direction changes between these, and both are before the log's end.
