@@ -22,16 +22,16 @@ bool is_the_same(const wire::Sample& one, const wire::Sample& other) {
 void PassingSamples::put(wire::Sample sample) {
   const wire::SampleHeader& header = wire::header_of(sample);
   const Ends ends{header.origin, header.destination};
-  const auto [found, is_new] = pairs_.try_emplace(ends);
-  if (is_new) turns_.push_back(ends);
-  Pair& pair = found->second;
+  Pair& pair = pairs_[ends];
   if (wire::slot_of(sample) == wire::Slot::kHeartbeat) {
+    if (!pair.heartbeat) beats_.push_back(ends);
     pair.heartbeat = std::move(sample);
     return;
   }
   const auto same = [&](const wire::Sample& one) { return is_the_same(one, sample); };
   if (const auto waits = std::ranges::find_if(pair.events, same); waits != pair.events.end())
     return void(*waits = std::move(sample));
+  if (pair.events.empty()) turns_.push_back(ends);
   pair.events.push_back(std::move(sample));
   if (++events_ > kEventDepth) drop_one();
 }
@@ -55,28 +55,31 @@ void PassingSamples::drop_expired(MissionTime now) {
 }
 
 void PassingSamples::forget_empty() {
+  std::erase_if(turns_, [this](const Ends& ends) { return pairs_.at(ends).events.empty(); });
   std::erase_if(pairs_,
                 [](const auto& one) { return one.second.events.empty() && !one.second.heartbeat; });
-  std::erase_if(turns_, [this](const Ends& ends) { return !pairs_.contains(ends); });
 }
 
 const wire::Sample* PassingSamples::first() const {
-  if (turns_.empty()) return nullptr;
-  const Pair& pair = pairs_.at(turns_.front());
-  return pair.heartbeat ? &*pair.heartbeat : &pair.events.front();
+  if (empty()) return nullptr;
+  if (has_heartbeat_next()) return &*pairs_.at(beats_.front()).heartbeat;
+  return &pairs_.at(turns_.front()).events.front();
 }
 
 wire::Sample PassingSamples::take() {
   SKEIN_EXPECTS(!empty());
-  turns_.push_back(turns_.front());
-  turns_.pop_front();
-  Pair& pair = pairs_.at(turns_.back());
-  wire::Sample first = pair.heartbeat ? std::move(*pair.heartbeat) : std::move(pair.events.front());
-  if (pair.heartbeat) {
+  beat_was_last_ = has_heartbeat_next();
+  std::deque<Ends>& turns = beat_was_last_ ? beats_ : turns_;
+  const Ends ends = turns.front();
+  turns.pop_front();
+  Pair& pair = pairs_.at(ends);
+  wire::Sample first = beat_was_last_ ? std::move(*pair.heartbeat) : std::move(pair.events.front());
+  if (beat_was_last_) {
     pair.heartbeat.reset();
   } else {
     pair.events.pop_front();
     --events_;
+    if (!pair.events.empty()) turns_.push_back(ends);
   }
   forget_empty();
   return first;

@@ -16,8 +16,10 @@ namespace skein::blackboard {
 
 /// Events, parts and heartbeats that go past a relay: those of each author to each receiver in
 /// their order, and the pairs of author and receiver in turn, so that what one has saved up for
-/// another during a cut keeps nobody else waiting. Of a pair's heartbeats only the last waits,
-/// before its events: it says all that those before it said. Memory: kEventDepth events in all.
+/// another during a cut keeps nobody else waiting. Of a pair's heartbeats only the last waits: it
+/// says all that those before it said. Heartbeats and events take turns, so that on a channel that
+/// carries no more than the heartbeats of all pairs events come through too. Memory: kEventDepth
+/// events in all.
 class PassingSamples {
  public:
   /// An event that waits already, which its author repeats, takes its own place: it may be empty
@@ -39,12 +41,15 @@ class PassingSamples {
     std::optional<wire::Sample> heartbeat;
     std::deque<wire::Sample> events;
   };
+  bool has_heartbeat_next() const { return !beats_.empty() && (turns_.empty() || !beat_was_last_); }
   void drop_one();
   /// The pairs for which nothing waits any more.
   void forget_empty();
 
   std::map<Ends, Pair> pairs_;  ///< those for which anything waits
-  std::deque<Ends> turns_;      ///< of all pairs, the next one first
+  std::deque<Ends> beats_;      ///< pairs whose heartbeat waits, the next one first
+  std::deque<Ends> turns_;      ///< pairs whose events wait
+  bool beat_was_last_ = false;
   std::size_t events_ = 0;
 };
 
