@@ -13,6 +13,17 @@ bool newer(std::uint64_t term, std::uint64_t revision, const Ledger& than) {
   return std::pair(term, revision) > std::pair(than.term, than.revision);
 }
 
+/// What another was given is as if it had been given here. True if any was not known.
+bool keep(const std::vector<GivenMission>& missions, const Ledger& ledger,
+          std::vector<GivenMission>& known) {
+  const std::size_t before = known.size();
+  for (const GivenMission& mission : missions) {
+    const auto same = std::ranges::find(known, mission.number, &GivenMission::number);
+    if (!ledger.missions.contains(mission.number) && same == known.end()) known.push_back(mission);
+  }
+  return known.size() > before;
+}
+
 }  // namespace
 
 TeamMember::Core::Core(TeamSetup setup)
@@ -121,6 +132,10 @@ void TeamMember::Core::stand(bool trial) {
   }
   const VoteRequest request{disk_.term + (trial ? 1 : 0), trial, ledger().term, ledger().revision};
   for (const MemberNumber member : others_) tell(member, request);
+  // Whom it hears may hear the holder, which it does not.
+  const Status mine = status();
+  if (trial && !mine.missions.empty())
+    for (const MemberNumber member : others_) tell(member, mine);
   if (majority({})) trial ? stand(false) : hold();
 }
 
@@ -193,6 +208,7 @@ void TeamMember::Core::on(const Beat& beat, MemberNumber from) {
 
 void TeamMember::Core::on(const Status& status, MemberNumber from) {
   adopt_term(status.term);
+  if (role_ != Role::kHolder) stored_ |= keep(status.missions, ledger(), disk_.missions);
   if (role_ != Role::kHolder || status.term < disk_.term) return;
   followers_.hear(from, status, now_);
 }

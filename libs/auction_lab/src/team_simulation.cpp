@@ -148,7 +148,7 @@ void TeamSimulation::feed(std::size_t member, const TeamInput& input) {
         Overloaded{[&](Tell& tell) { send(member, tell); },
                    [&](Store& store) { one.disk = std::move(store.disk); },
                    [&](BeginTask& task) { begin(member, task.claim); },
-                   [&](const TokenTaken& token) {
+                   [&](TokenTaken& token) {
                      tokens_.push_back({number_of(member), token.term, now_});
                    },
                    [&](SaleTold& told) { told_.push_back(std::move(told.what)); }, [](auto&) {}},

@@ -230,6 +230,7 @@ TEST(TeamLaws, NothingIsDoneTwiceNothingIsForgottenEverySaleIsExplained) {
     EXPECT_THAT(executed_twice(mission.team().executions()), IsEmpty()) << "seed " << seed;
     EXPECT_THAT(unexplained(mission.team().executions()), IsEmpty()) << "seed " << seed;
     EXPECT_THAT(unfinished(mission.team(), mission.tasks()), IsEmpty()) << "seed " << seed;
+    EXPECT_FALSE(mission.team().tokens().empty()) << "seed " << seed;
     EXPECT_THAT(terms_shared(mission.team().tokens()), IsEmpty()) << "seed " << seed;
     EXPECT_EQ(mission.team().token_holders(), 1U) << "seed " << seed;
   }

@@ -173,6 +173,26 @@ TEST(Team, TheSmallerPartOfACutTeamBeginsNothing) {
   EXPECT_THAT(unfinished(team, 3), IsEmpty());
 }
 
+// Found by random missions (985001): the ground station reached one of two, and not the holder.
+TEST(Team, AMissionComesToTheHolderPastWhomItsGiverReaches) {
+  TeamSimulation team(line_world(3));
+  team.run_until(seconds(15));
+  ASSERT_EQ(team.token_holders(), 1U);
+  std::size_t holder = 0;
+  while (member_number(holder) != team.tokens().back().member) ++holder;
+  const std::size_t giver = (holder + 1) % 3;
+
+  team.cut(giver, holder);
+  team.give(giver, mission_of(3, 5));
+  team.run_until(seconds(200));
+
+  ASSERT_THAT(team.executions(), SizeIs(3));
+  for (const Execution& one : team.executions()) EXPECT_EQ(one.end, Execution::End::kDone);
+  team.heal_all();
+  team.run_until(seconds(240));
+  EXPECT_THAT(unfinished(team, 3), IsEmpty());
+}
+
 TEST(Team, TwoHalvesHaveOneAuctioneerAtMostAndOneAfterHealing) {
   TeamWorld world = line_world(4);
   TeamSimulation team(world);
