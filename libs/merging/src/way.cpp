@@ -97,7 +97,7 @@ Way::Way(const std::vector<Vector3>& points, const Margins& margins, bool from_r
     const Vector3 &from = points_[i - 1], &to = points_[i];
     rises = rises && is_upright(from, to);
     if (rises) {
-      volumes_.push_back(
+      pieces_.push_back(
           column(to.head<2>(), std::min(from.z(), to.z()), std::max(from.z(), to.z()), margins));
       continue;
     }
@@ -105,18 +105,26 @@ Way::Way(const std::vector<Vector3>& points, const Margins& margins, bool from_r
     const bool steep = slopes(from, to) || (i >= 2 && slopes(points_[i - 2], from)) ||
                        (i + 1 < points_.size() && slopes(to, points_[i + 1]));
     const double height = steep ? margins.slope : margins.level;
-    volumes_.push_back({from.head<2>(), to.head<2>(), margins.way,
-                        std::min(from.z(), to.z()) - height, std::max(from.z(), to.z()) + height});
+    pieces_.push_back({from.head<2>(), to.head<2>(), margins.way,
+                       std::min(from.z(), to.z()) - height, std::max(from.z(), to.z()) + height});
   }
-  for (std::size_t i = 0; i < narrow; ++i) volumes_[i].radius = margins.hold;
-  volumes_.push_back(stay_at(points_.back(), margins));
+  for (std::size_t i = 0; i < narrow; ++i) pieces_[i].radius = margins.hold;
+  pieces_.push_back(stay_at(points_.back(), margins));
+  note_rounds();
+}
+
+void Way::note_rounds() {
+  for (auto one = pieces_.begin(); one != pieces_.end(); ++one) {
+    again_.push_back(std::find(one + 1, pieces_.end(), *one) != pieces_.end());
+    if (!again_.back()) volumes_.push_back(*one);
+  }
 }
 
 bool Way::passed(const Vector3& position) {
   const std::size_t before = piece_;
   // Of bends near each other all are near at once, with the vehicle before the first of them.
   const auto is_beside = [&](std::size_t piece) {
-    const double way = std::max(near_, volumes_[piece].radius);
+    const double way = std::max(near_, pieces_[piece].radius);
     return world::to_segment(position, points_[piece], points_[piece + 1]) <= way;
   };
   while (piece_ + 2 < points_.size()) {
@@ -129,7 +137,7 @@ bool Way::passed(const Vector3& position) {
   return piece_ != before;
 }
 
-Volumes Way::left() const {
+std::size_t Way::first_left() const {
   std::size_t first = piece_;
   const double behind = hovers_ ? 0 : kTurnsBack * near_;
   double kept = 0;
@@ -138,7 +146,14 @@ Volumes Way::left() const {
     --first;
     kept += (points_[first + 1] - points_[first]).norm();
   } while (kept < behind);
-  return {volumes_.begin() + static_cast<std::ptrdiff_t>(first), volumes_.end()};
+  return first;
+}
+
+Volumes Way::left() const {
+  Volumes left;
+  for (std::size_t i = first_left(); i < pieces_.size(); ++i)
+    if (!again_[i]) left.push_back(pieces_[i]);
+  return left;
 }
 
 double Way::length_left() const {

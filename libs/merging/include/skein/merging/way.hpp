@@ -29,7 +29,8 @@ class Way {
   const std::vector<world::Vector3>& points() const { return points_; }
   /// What the vehicle is told to fly; the first is where it begins.
   const std::vector<world::Vector3>& way_points() const { return way_points_; }
-  /// One per piece, and the holding place at the end. Reserved as a whole.
+  /// One per piece, and the holding place at the end; what several pieces lead through, as rounds
+  /// over one zone do, once, as of the last of them. Reserved as a whole.
   const Volumes& volumes() const { return volumes_; }
   /// Notes the vehicle's position. True: it has left further pieces.
   bool passed(const world::Vector3& position);
@@ -40,10 +41,15 @@ class Way {
   /// The length [m] from the beginning of the piece being flown to the end.
   double length_left() const;
   /// True: no piece has been given back yet.
-  bool is_whole() const { return left().size() == volumes_.size(); }
+  bool is_whole() const { return first_left() == 0; }
 
  private:
+  void note_rounds();
+  std::size_t first_left() const;
+
   std::vector<world::Vector3> points_, way_points_;
+  Volumes pieces_;           ///< one per piece, and the holding place
+  std::vector<bool> again_;  ///< by piece: a later one has the same air
   Volumes volumes_;
   bool hovers_ = true;
   double near_ = 0;
