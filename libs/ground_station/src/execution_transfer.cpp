@@ -3,38 +3,12 @@
 #include "skein/ground_station/ground_control.hpp"
 
 #include "request_facts.hpp"
-#include "transfer_requests.hpp"
+#include "task_places.hpp"
 
 namespace skein::ground_station {
 
 using mission::GoalId;
 using mission::HeldTask;
-
-std::vector<Request> GroundControl::requests_for(const std::string& uav,
-                                                 std::vector<HeldTask> tasks) const {
-  TransferFacts facts;
-  facts.state_of = [&](executive::TaskId id) -> std::optional<executive::TaskState> {
-    const std::optional<TaskOnBoard> task = monitoring_.find_task(uav, id);
-    if (!task || task->lost) return std::nullopt;
-    return task->state;
-  };
-  facts.messages = monitoring_.messages_of(uav);
-  return requests_to_start(std::move(tasks), facts);
-}
-
-// A task that was over before a transfer is unknown to the executive that got the rest.
-Request GroundControl::for_receiver(const SendRequest& request, bool is_here) const {
-  const auto mle = local_.find(request.uav);
-  return without_settled(
-      request.request, [&](executive::TaskId id) -> std::optional<executive::TaskState> {
-        const std::optional<TaskOnBoard> task = monitoring_.find_task(request.uav, id);
-        if (!task || task->lost || !executive::is_terminal(task->state)) return {};
-        const bool is_known =
-            is_here ? mle != local_.end() && mle->second.executive.find(id) : !task->at_ground;
-        if (is_known || monitoring_.is_being_started(request.uav, id)) return {};
-        return task->state;
-      });
-}
 
 // What was only planned is not carried out by anybody, at whatever degree below 4.
 void GroundControl::take_over(const HandedOver& hand_over, MissionTime now, Effects& out) {
@@ -49,13 +23,13 @@ void GroundControl::take_over(const HandedOver& hand_over, MissionTime now, Effe
     hold(uav, std::move(planned), out);
   }
   if (!runs_at_ground(hand_over.hand_over.degree)) return;
-  for (const auto& [key, last] : syncs_[uav]) {
+  for (const executive::SyncReceived& last : syncs_.of(uav)) {
     do_errand(LocalInput{uav, last, std::nullopt}, now, out);
   }
   for (const HeldTask& task : executed) {
-    if (task.origin != GoalId()) local(uav).origins[task.task.id] = task.origin;
+    if (task.origin != GoalId()) mles_.note_origin(uav, task.task.id, task.origin);
   }
-  for (const Request& request : requests_for(uav, std::move(executed))) {
+  for (const Request& request : TaskPlaces(monitoring_, mles_).starting(uav, std::move(executed))) {
     do_errand(LocalInput{uav, *to_executive(request), std::nullopt}, now, out);
   }
 }
@@ -71,29 +45,11 @@ void GroundControl::hold(const std::string& uav, std::vector<HeldTask> tasks, Ef
 
 // The UAV's executive asks for what is under way once more, so nothing is interrupted here.
 void GroundControl::send_up(const std::string& uav, MissionTime now, Effects& out) {
-  const auto mle = local_.find(uav);
-  if (mle == local_.end()) return;
-  const executive::Executive& executive = mle->second.executive;
-  std::vector<HeldTask> tasks;
-  for (const executive::TaskStatus& status : executive.tasks()) {
-    if (executive::is_terminal(status.state) || status.id >= executive::kFirstBackgroundId)
-      continue;
-    const executive::TaskView view = *executive.find(status.id);
-    HeldTask held;
-    held.task = {view.id,
-                 view.type,
-                 view.parameters,
-                 executive.preconditions(view.id),
-                 executive.exit_conditions(view.id),
-                 std::nullopt};
-    if (view.synchronisation != nullptr) held.task.synchronisation = *view.synchronisation;
-    held.state = view.state;
-    held.in_executive = true;
-    tasks.push_back(std::move(held));
-  }
-  local_.erase(mle);
-  send_kept_syncs(uav, out);
-  for (Request& request : requests_for(uav, std::move(tasks))) {
+  if (!mles_.runs(uav)) return;
+  std::vector<HeldTask> tasks = mles_.let_go(uav);
+  for (SendSync& kept : syncs_.for_sending(uav)) out.emplace_back(std::move(kept));
+  const TaskPlaces places(monitoring_, mles_);
+  for (Request& request : places.starting(uav, std::move(tasks))) {
     errands_.emplace_back(Monitoring::Input(
         IssueCommand{uav, std::move(request), now + transfer_lifetime_, "hand-over", true}));
   }
@@ -112,7 +68,8 @@ void GroundControl::resume(const ResumeHeld& request, Effects& out) {
   if (!tasks.empty()) {
     out.emplace_back(HeldPlanChanged{request.uav, tasks.size(), HeldState::kResumed});
   }
-  for (Request& start : requests_for(request.uav, std::move(tasks))) {
+  const TaskPlaces places(monitoring_, mles_);
+  for (Request& start : places.starting(request.uav, std::move(tasks))) {
     errands_.emplace_back(Monitoring::Input(
         IssueCommand{request.uav, std::move(start), request.expires, request.asked_by}));
   }
@@ -122,12 +79,8 @@ void GroundControl::resume(const ResumeHeld& request, Effects& out) {
 void GroundControl::give_up(const std::string& uav, GoalId goal, Effects& out) {
   const std::size_t count = held_.drop(uav, goal);
   if (count > 0) out.emplace_back(HeldPlanChanged{uav, count, HeldState::kDropped});
-  const auto mle = local_.find(uav);
-  if (mle == local_.end()) return;
-  for (const auto& [task, origin] : mle->second.origins) {
-    const auto view = mle->second.executive.find(task);
-    if (origin == goal && view && !executive::is_terminal(view->state))
-      errands_.emplace_back(LocalInput{uav, executive::Abort{task}, std::nullopt});
+  for (const executive::TaskId task : mles_.open_tasks_of(uav, goal)) {
+    errands_.emplace_back(LocalInput{uav, executive::Abort{task}, std::nullopt});
   }
 }
 

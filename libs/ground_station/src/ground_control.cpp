@@ -2,13 +2,13 @@
 // Routing between the ground station's components.
 #include "skein/ground_station/ground_control.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "request_facts.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/overloaded.hpp"
-#include "skein/functional/task_types.hpp"
 #include "skein/mission/alarm_name.hpp"
+#include "task_places.hpp"
 
 namespace skein::ground_station {
 namespace {
@@ -27,12 +27,17 @@ std::vector<std::string> names_of(const std::vector<GroundUav>& uavs) {
   return names;
 }
 
-constexpr Duration kRoleTaskLives = Duration::milliseconds(30'000);
-
-// Carried out by the functional layer, not by the executive or a supervisor.
-bool is_functional(const std::string& type) {
-  return functional::TaskTypes::shipped().of(type).by == functional::CarriedOutBy::kFunctionalLayer;
+std::map<std::string, executive::Config> executives_of(const std::vector<GroundUav>& uavs) {
+  std::map<std::string, executive::Config> configs;
+  for (const GroundUav& uav : uavs) {
+    executive::Config& config = configs[uav.name];
+    config = uav.executive;
+    config.name = uav.name;
+  }
+  return configs;
 }
+
+constexpr Duration kRoleTaskLives = Duration::milliseconds(30'000);
 
 bool is_due(std::optional<MissionTime> wakeup, MissionTime now) { return wakeup && *wakeup <= now; }
 
@@ -44,13 +49,8 @@ GroundControl::GroundControl(const GroundConfig& config, const world::Terrain& t
       monitoring_(roster(config.uavs), config.reply_grace,
                   MissionChecks(config.missions, names_of(config.uavs))),
       planning_(config.script, terrain),
-      transfer_lifetime_(config.transfer_lifetime) {
-  for (const GroundUav& uav : config.uavs) {
-    executive::Config& mle = mle_configs_[uav.name];
-    mle = uav.executive;
-    mle.name = uav.name;
-  }
-}
+      mles_(executives_of(config.uavs)),
+      transfer_lifetime_(config.transfer_lifetime) {}
 
 std::vector<GroundControl::Effect> GroundControl::handle(const Input& input, MissionTime now) {
   Effects out;
@@ -64,9 +64,8 @@ std::vector<GroundControl::Effect> GroundControl::handle(const Input& input, Mis
 }
 
 std::optional<MissionTime> GroundControl::next_wakeup() const {
-  std::optional<MissionTime> wakeup = earliest(monitoring_.next_wakeup(), planning_.next_wakeup());
-  for (const auto& [uav, mle] : local_) wakeup = earliest(wakeup, mle.executive.next_wakeup());
-  return earliest(wakeup, desk_.next_wakeup());
+  const auto components = earliest(monitoring_.next_wakeup(), planning_.next_wakeup());
+  return earliest(earliest(components, mles_.next_wakeup()), desk_.next_wakeup());
 }
 
 Board GroundControl::board(MissionTime now) const {
@@ -76,10 +75,8 @@ Board GroundControl::board(MissionTime now) const {
 }
 
 void GroundControl::wake(MissionTime now) {
-  for (const auto& [uav, mle] : local_) {
-    if (is_due(mle.executive.next_wakeup(), now)) {
-      errands_.emplace_back(LocalInput{uav, executive::Tick{}, std::nullopt});
-    }
+  for (const std::string& uav : mles_.due(now)) {
+    errands_.emplace_back(LocalInput{uav, executive::Tick{}, std::nullopt});
   }
   if (is_due(monitoring_.next_wakeup(), now)) errands_.emplace_back(Monitoring::Input(Tick{}));
   if (is_due(planning_.next_wakeup(), now)) errands_.emplace_back(MissionPlanning::Input(Tick{}));
@@ -121,7 +118,9 @@ void GroundControl::accept(const Input& input, MissionTime now, Effects& out) {
             errands_.emplace_back(Monitoring::Input(
                 IssueCommand{it.uav, it.request, now + kRoleTaskLives, "a role played here"}));
           },
-          [&](const PlayedTaskChanged& it) { accept(it); },
+          [&](const PlayedTaskChanged& it) {
+            errands_.emplace_back(Monitoring::Input(roles_.note(it)));
+          },
           [&](const auto& it) { errands_.emplace_back(Monitoring::Input(it)); },
       },
       input);
@@ -153,18 +152,8 @@ void GroundControl::report(const Anomaly& anomaly, Effects& out) {
   out.emplace_back(anomaly);
 }
 
-void GroundControl::note_air(const Request& request) {
-  const auto* change = std::get_if<mission::ChangeWorld>(&request);
-  if (change == nullptr || change->place || change->ground) return;
-  if (change->remove) {
-    air_.erase(change->volume.name);
-  } else {
-    air_.insert_or_assign(change->volume.name, change->volume);
-  }
-}
-
 void GroundControl::accept_status(const FunctionalStatusReceived& input, Effects& out) {
-  if (local_.contains(input.uav)) {
+  if (mles_.runs(input.uav)) {
     errands_.emplace_back(LocalInput{input.uav, input.status, std::nullopt});
   } else {
     out.emplace_back(
@@ -179,23 +168,16 @@ void GroundControl::accept_reachability(const PeerReachable& input, Effects& out
   if (input.restarted) {
     for (const Alarm& alarm : perception_.alarms()) out.emplace_back(TellAlarm{alarm, input.uav});
   }
-  for (const auto& [uav, mle] : local_) {
+  for (const std::string& uav : mles_.running()) {
     if (uav == input.uav) continue;
     errands_.emplace_back(LocalInput{uav, executive::PeerReachable{input.uav}, std::nullopt});
   }
-  if (input.restarted && local_.contains(input.uav)) ask_again(input.uav, out);
-  if (runs_here(input.uav)) return;
-  send_kept_syncs(input.uav, out);
-}
-
-// What the transparent node may have taken with it: requests on their way, or their statuses.
-void GroundControl::ask_again(const std::string& uav, Effects& out) {
-  for (const executive::TaskStatus& task : local(uav).executive.tasks()) {
-    if (!executive::is_active(task.state) || !is_functional(task.type)) continue;
-    const bool is_aborting = task.state == executive::TaskState::kAborting;
-    out.emplace_back(functional_of(
-        uav, is_aborting ? functional::Verb::kInterrupt : functional::Verb::kDispatch, task.id));
+  // The transparent node may have taken requests with it that were on their way, or their statuses.
+  if (input.restarted && mles_.runs(input.uav)) {
+    for (SendFunctional& again : mles_.under_way(input.uav)) out.emplace_back(std::move(again));
   }
+  if (runs_here(input.uav)) return;
+  for (SendSync& kept : syncs_.for_sending(input.uav)) out.emplace_back(std::move(kept));
 }
 
 void GroundControl::run_errands(MissionTime now, Effects& out) {
@@ -216,8 +198,8 @@ void GroundControl::do_errand(const MissionPlanning::Input& input, MissionTime n
 
 // The MLE may have handed over what it had since the errand was given.
 void GroundControl::do_errand(const LocalInput& input, MissionTime now, Effects& out) {
-  if (!runs_here(input.uav) && !local_.contains(input.uav)) return;
-  for (const auto& effect : local(input.uav).executive.handle(input.input, now)) {
+  if (!runs_here(input.uav) && !mles_.runs(input.uav)) return;
+  for (const auto& effect : mles_.of(input.uav).handle(input.input, now)) {
     route_local(input, effect, now, out);
   }
 }
@@ -225,6 +207,9 @@ void GroundControl::do_errand(const LocalInput& input, MissionTime now, Effects&
 void GroundControl::route(const Monitoring::Effect& effect, MissionTime now, Effects& out) {
   const auto tell_planning = [&](const auto& it) {
     errands_.emplace_back(MissionPlanning::Input(it));
+  };
+  const auto stop_playing = [&](const std::string& uav, const std::string& why) {
+    if (auto stop = roles_.stop(uav, why)) out.emplace_back(std::move(*stop));
   };
   std::visit(Overloaded{
                  [&](const SendRequest& it) { route(it, out); },
@@ -247,15 +232,14 @@ void GroundControl::route(const Monitoring::Effect& effect, MissionTime now, Eff
                  [&](const PlanInterrupted& it) { tell_planning(it); },
                  [&](const UavRestarted& it) {
                    out.emplace_back(it);
-                   stop_playing(it.uav, "the decision node of '" + it.uav + "' restarted", out);
+                   stop_playing(it.uav, "the decision node of '" + it.uav + "' restarted");
                    tell_planning(it);
                  },
                  [&](const DegreeChanged& it) {
                    out.emplace_back(it);
-                   stop_playing(it.uav,
-                                "'" + it.uav + "' is at degree " + std::to_string(it.degree) +
-                                    " now: what comes next is decided anew",
-                                out);
+                   stop_playing(it.uav, "'" + it.uav + "' is at degree " +
+                                            std::to_string(it.degree) +
+                                            " now: what comes next is decided anew");
                    tell_planning(it);
                    if (!runs_at_ground(it.degree)) send_up(it.uav, now, out);
                  },
@@ -269,7 +253,7 @@ void GroundControl::route(const Monitoring::Effect& effect, MissionTime now, Eff
 }
 
 void GroundControl::route(const SendRequest& request, Effects& out) {
-  note_air(request.request);
+  air_.note(request.request);
   const auto answer = [&](bool accepted, const std::string& why) {
     errands_.emplace_back(Monitoring::Input(RequestReplyReceived{request.command, accepted, why}));
   };
@@ -279,10 +263,14 @@ void GroundControl::route(const SendRequest& request, Effects& out) {
     }
     return answer(edited->accepted, edited->why);
   }
-  if (stops_playing(request, out)) return answer(true, "");
-  const bool is_here = to_executive(request.request) && is_held_here(request);
+  if (auto stop = roles_.stop(request)) {
+    out.emplace_back(std::move(*stop));
+    return answer(true, "");
+  }
+  const TaskPlaces places(monitoring_, mles_);
+  const bool is_here = to_executive(request.request) && places.is_at_ground(request);
   SendRequest adapted = request;
-  adapted.request = for_receiver(request, is_here);
+  adapted.request = places.adapted(request, is_here);
   if (is_here) {
     errands_.emplace_back(LocalInput{request.uav, *to_executive(adapted.request), adapted});
     return;
@@ -335,7 +323,7 @@ void GroundControl::route_local(const LocalInput& cause, const executive::Effect
       Overloaded{
           [&](const executive::TaskEvent& it) {
             if (!monitoring_.has_told(uav, it.id, it.state)) {
-              const auto task = local(uav).executive.find(it.id);
+              const auto task = mles_.of(uav).find(it.id);
               out.emplace_back(LocalTaskEvent{uav, it,
                                               task ? task->parameters : executive::Parameters(),
                                               is_functional(it.type)});
@@ -345,8 +333,7 @@ void GroundControl::route_local(const LocalInput& cause, const executive::Effect
           },
           [&](const executive::Dispatch& it) { dispatch(uav, it, now, out); },
           [&](const executive::Interrupt& it) {
-            if (!it.joint)
-              out.emplace_back(functional_of(uav, functional::Verb::kInterrupt, it.id));
+            if (!it.joint) out.emplace_back(mles_.to_interrupt(uav, it.id));
           },
           [&](const executive::SendSync& it) {
             out.emplace_back(LocalSync{it.id, uav, it.to, SyncDirection::kSent, it.word});
@@ -376,7 +363,7 @@ void GroundControl::do_errand(const PlayRole& play, MissionTime now, Effects& ou
   const executive::TaskId task(play.task.id.value());
   const std::vector<std::string> problems = monitoring_.problems_of(play, now);
   if (problems.empty()) {
-    played_.emplace(play.uav, task);
+    roles_.play(play);
     out.emplace_back(play);
     return;
   }
@@ -386,29 +373,9 @@ void GroundControl::do_errand(const PlayRole& play, MissionTime now, Effects& ou
          out);
   const bool known = monitoring_.find_task(play.uav, task).has_value();
   if (known || !monitoring_.knows(play.uav)) return;
-  accept(PlayedTaskChanged{play.uav,
-                           {task, std::string(executive::kJointPrefix) + play.task.name,
-                            executive::TaskState::kAborted, why}});
-}
-
-void GroundControl::accept(const PlayedTaskChanged& input) {
-  const executive::TaskEvent& event = input.event;
-  if (is_terminal(event.state)) played_.erase({input.uav, event.id});
-  errands_.emplace_back(Monitoring::Input(
-      TaskEventReceived{input.uav, event.id, event.type, event.state, event.reason, true}));
-}
-
-void GroundControl::stop_playing(const std::string& uav, const std::string& why, Effects& out) {
-  const bool plays = std::any_of(played_.begin(), played_.end(),
-                                 [&](const auto& one) { return one.first == uav; });
-  if (plays) out.emplace_back(StopRole{uav, std::nullopt, why});
-}
-
-bool GroundControl::stops_playing(const SendRequest& request, Effects& out) {
-  const auto* abort = std::get_if<executive::Abort>(&request.request);
-  if (abort == nullptr || !played_.contains({request.uav, abort->id})) return false;
-  out.emplace_back(StopRole{request.uav, abort->id, "interrupted by " + request.asked_by});
-  return true;
+  const executive::TaskEvent refused{task, std::string(executive::kJointPrefix) + play.task.name,
+                                     executive::TaskState::kAborted, why};
+  errands_.emplace_back(Monitoring::Input(roles_.note({play.uav, refused})));
 }
 
 // A joint task needs a supervisor, which degree 1 does not have. What the executive has given up
@@ -421,19 +388,7 @@ void GroundControl::dispatch(const std::string& uav, const executive::Dispatch& 
     errands_.emplace_back(LocalInput{uav, refusal, std::nullopt});
     return;
   }
-  SendFunctional send = functional_of(uav, functional::Verb::kDispatch, dispatch.id);
-  if (const auto timeout = mle_configs_.at(uav).functional_timeout) send.expires = now + *timeout;
-  out.emplace_back(std::move(send));
-}
-
-SendFunctional GroundControl::functional_of(const std::string& uav, functional::Verb verb,
-                                            executive::TaskId id) {
-  functional::Request request{verb, id};
-  if (const auto view = local(uav).executive.find(id)) {
-    request.type = view->type;
-    if (verb == functional::Verb::kDispatch) request.parameters = view->parameters;
-  }
-  return {uav, std::move(request)};
+  out.emplace_back(mles_.to_begin(uav, dispatch.id, now));
 }
 
 void GroundControl::deliver_sync(const SyncReceived& sync, MissionTime now, Effects& out) {
@@ -442,46 +397,18 @@ void GroundControl::deliver_sync(const SyncReceived& sync, MissionTime now, Effe
                              "': one of them is unknown"});
     return;
   }
-  const MissionTime said = sync.said.value_or(now);
-  const executive::SyncReceived message{sync.id, sync.from, sync.word, said};
-  const auto [last, is_new] = syncs_[sync.to].try_emplace({sync.id, sync.from}, message);
-  if (!is_new && *last->second.said <= said) last->second = message;
+  const executive::SyncReceived message = syncs_.note(sync, now);
   if (runs_here(sync.to)) {
     out.emplace_back(LocalSync{sync.id, sync.from, sync.to, SyncDirection::kReceived, sync.word});
     errands_.emplace_back(LocalInput{sync.to, message, std::nullopt});
   } else {
-    out.emplace_back(SendSync{sync.id, sync.from, sync.to, sync.word, said});
+    out.emplace_back(SendSync{sync.id, sync.from, sync.to, sync.word, *message.said});
   }
-}
-
-void GroundControl::send_kept_syncs(const std::string& to, Effects& out) {
-  for (const auto& [key, last] : syncs_[to]) {
-    out.emplace_back(SendSync{last.id, last.from, to, last.word, *last.said});
-  }
-}
-
-bool GroundControl::is_held_here(const SendRequest& request) const {
-  if (const auto named = named_by(request.request)) {
-    const auto mle = local_.find(request.uav);
-    if (mle != local_.end() && mle->second.executive.find(*named)) return true;
-    if (monitoring_.find_task(request.uav, *named)) return false;
-  }
-  return runs_here(request.uav);
 }
 
 void GroundControl::tell_flight(const std::string& uav, bool airborne) {
-  if (!runs_here(uav) || !mle_configs_.contains(uav)) return;
-  LocalMle& mle = local(uav);
-  if (mle.airborne == airborne) return;
-  mle.airborne = airborne;
+  if (!runs_here(uav) || !mles_.can_run(uav) || !mles_.note_flight(uav, airborne)) return;
   errands_.emplace_back(LocalInput{uav, executive::Flight{airborne}, std::nullopt});
-}
-
-GroundControl::LocalMle& GroundControl::local(const std::string& uav) {
-  const auto found = local_.find(uav);
-  if (found != local_.end()) return found->second;
-  executive::Executive mle(mle_configs_.at(uav));
-  return local_.emplace(uav, LocalMle{std::move(mle), std::nullopt}).first->second;
 }
 
 }  // namespace skein::ground_station

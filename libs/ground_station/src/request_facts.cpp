@@ -4,6 +4,8 @@
 
 #include <type_traits>
 
+#include "skein/functional/task_types.hpp"
+
 namespace skein::ground_station {
 namespace {
 
@@ -79,6 +81,10 @@ std::optional<executive::Input> to_executive(const Request& request) {
 
 std::optional<TaskId> named_by(const Request& request) {
   return std::visit([](const auto& it) { return named(it); }, request);
+}
+
+bool is_functional(const std::string& type) {
+  return functional::TaskTypes::shipped().of(type).by == functional::CarriedOutBy::kFunctionalLayer;
 }
 
 }  // namespace skein::ground_station

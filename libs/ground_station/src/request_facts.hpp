@@ -22,4 +22,8 @@ std::optional<executive::Input> to_executive(const Request& request);
 /// The existing task that an ABORT, UPDATE-COND or SUPPRESS names; absent for other requests.
 std::optional<executive::TaskId> named_by(const Request& request);
 
+/// Whether tasks of the type are carried out by the functional layer, not by the executive or a
+/// supervisor.
+bool is_functional(const std::string& type);
+
 }  // namespace skein::ground_station

@@ -6,7 +6,6 @@
 #include <deque>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,12 +13,16 @@
 #include "skein/executive/executive.hpp"
 #include "skein/ground_orders/messages.hpp"
 #include "skein/ground_orders/script.hpp"
+#include "skein/ground_station/closed_air.hpp"
 #include "skein/ground_station/held_plans.hpp"
+#include "skein/ground_station/kept_syncs.hpp"
+#include "skein/ground_station/local_executives.hpp"
 #include "skein/ground_station/mission_planning.hpp"
 #include "skein/ground_station/monitoring.hpp"
 #include "skein/ground_station/object_tracking.hpp"
 #include "skein/ground_station/operator_desk.hpp"
 #include "skein/ground_station/perception_processing.hpp"
+#include "skein/ground_station/played_roles.hpp"
 #include "skein/ground_station/stand_ins.hpp"
 
 namespace skein::ground_station {
@@ -127,7 +130,7 @@ class GroundControl {
   const OperatorDesk& desk() const { return desk_; }
   std::vector<std::string> answers() const { return planning_.answers(); }
   /// Volumes that were closed during the mission and not opened again, by name.
-  const std::map<std::string, world::Volume>& closed_air() const { return air_; }
+  const std::map<std::string, world::Volume>& closed_air() const { return air_.volumes(); }
   const std::string& phase() const { return planning_.phase(); }
   bool finished() const { return planning_.finished(); }
 
@@ -138,11 +141,6 @@ class GroundControl {
     executive::Input input;
     std::optional<SendRequest> command;
   };
-  struct LocalMle {
-    executive::Executive executive;
-    std::optional<bool> airborne;                               ///< as last told to it
-    std::map<executive::TaskId, mission::GoalId> origins = {};  ///< goals of transferred tasks
-  };
   /// An input still to be passed to a component.
   using Errand = std::variant<Monitoring::Input, MissionPlanning::Input, LocalInput, PlayRole>;
   using Effects = std::vector<Effect>;
@@ -152,10 +150,6 @@ class GroundControl {
   void accept(const OperatorRequest& request, MissionTime now, Effects& out);
   void accept(const OperatorDesk::Effect& effect, Effects& out);
   void report(const Anomaly& anomaly, Effects& out);
-  void stop_playing(const std::string& uav, const std::string& why, Effects& out);
-  bool stops_playing(const SendRequest& request, Effects& out);
-  void accept(const PlayedTaskChanged& input);
-  void note_air(const Request& request);
   void accept_status(const FunctionalStatusReceived& input, Effects& out);
   void accept_reachability(const PeerReachable& input, Effects& out);
   void run_errands(MissionTime now, Effects& out);
@@ -171,11 +165,7 @@ class GroundControl {
                    Effects& out);
   void dispatch(const std::string& uav, const executive::Dispatch& dispatch, MissionTime now,
                 Effects& out);
-  SendFunctional functional_of(const std::string& uav, functional::Verb verb, executive::TaskId id);
-  void ask_again(const std::string& uav, Effects& out);
   void deliver_sync(const SyncReceived& sync, MissionTime now, Effects& out);
-  void send_kept_syncs(const std::string& to, Effects& out);
-  bool is_held_here(const SendRequest& request) const;
 
   // execution_transfer.cpp
   void take_over(const HandedOver& hand_over, MissionTime now, Effects& out);
@@ -184,30 +174,23 @@ class GroundControl {
   void resume(const ResumeHeld& request, Effects& out);
   void drop(const std::string& uav, Effects& out);
   void give_up(const std::string& uav, mission::GoalId goal, Effects& out);
-  Request for_receiver(const SendRequest& request, bool is_here) const;
-  std::vector<Request> requests_for(const std::string& uav,
-                                    std::vector<mission::HeldTask> tasks) const;
   bool runs_here(const std::string& uav) const {
     return runs_at_ground(monitoring_.degree_of(uav));
   }
   void tell_flight(const std::string& uav, bool airborne);
-  LocalMle& local(const std::string& uav);
 
-  std::map<std::string, executive::Config> mle_configs_;
   PerceptionProcessing perception_;
   ObjectTracking objects_;
   Monitoring monitoring_;
   MissionPlanning planning_;
   OperatorDesk desk_;
-  std::map<std::string, LocalMle> local_;
+  LocalExecutives mles_;
   std::deque<Errand> errands_;
   HeldPlans held_;
   StandIns stand_ins_;
-  /// Synchronisation messages seen here, by receiver: the last one of each id and sender.
-  std::map<std::string, std::map<std::pair<std::uint64_t, std::string>, executive::SyncReceived>>
-      syncs_;
-  std::map<std::string, world::Volume> air_;
-  std::set<std::pair<std::string, executive::TaskId>> played_;  ///< joint tasks, by UAV
+  KeptSyncs syncs_;
+  PlayedRoles roles_;
+  ClosedAir air_;
   Duration transfer_lifetime_;
 };
 
