@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "airtime.hpp"
 #include "by_cause.hpp"
 #include "skein/laws/contact.hpp"
 #include "skein/laws/healing.hpp"
@@ -26,6 +27,15 @@ HealingLimits limits_of(const scenario::Scenario& scenario, Duration late) {
   return limits;
 }
 
+/// Of a silent radio nobody is told that a link goes down: what is on a narrow one then arrives.
+/// That is no more than the channel carries in two periods of heartbeats; longer events go in
+/// parts.
+Duration on_the_air(const scenario::Scenario& scenario) {
+  const scenario::RadioSpec& radio = scenario.radio;
+  if (!radio.silent || !scenario::narrowest(radio)) return {};
+  return radio.heartbeat + radio.heartbeat + greatest_latency(scenario);
+}
+
 std::vector<Violation> judge_told(const scenario::Scenario& scenario,
                                   const std::vector<Record>& records, const Judging& judging) {
   const Duration late = judging.over_dds.value_or(Duration());
@@ -39,7 +49,7 @@ std::vector<Violation> judge_told(const scenario::Scenario& scenario,
   if (wants("protocol"))
     add(all, "protocol",
         broken_protocol(records, command_limit(scenario) + late,
-                        told_of_links ? std::optional(late) : std::nullopt));
+                        told_of_links ? std::optional(late + on_the_air(scenario)) : std::nullopt));
   if (wants("healing") && told_of_links)
     add(all, "healing", broken_healing(records, limits_of(scenario, late)));
   if (wants("contact") && !judging.over_dds)

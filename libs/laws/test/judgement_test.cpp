@@ -65,6 +65,35 @@ TEST(Judgement, OverDdsDoesNotAskWhenContactsBegan) {
   EXPECT_THAT(judge(comets(), contact_from_nowhere(), {{}, Duration::seconds(1)}), IsEmpty());
 }
 
+// Found by random missions (--anything --capacity 9600 985006).
+TEST(Judgement, OfANarrowSilentRadioWhatWasOnTheAirArrives) {
+  const auto laws = [](bool silent, double capacity, double received) {
+    scenario::Scenario scenario = comets();
+    scenario.radio.silent = silent;
+    scenario.radio.model.capacity = capacity;
+    const auto message = [](double at, const char* node, const char* direction) {
+      return journal::record_of(MissionTime::seconds(at), node,
+                                journal::lines::Message{.slot = "Decision",
+                                                        .from = "karma",
+                                                        .to = "heliv",
+                                                        .sequence = 1,
+                                                        .direction = direction});
+    };
+    return laws_of(judge(
+        scenario,
+        {message(9.9, "karma", "sent"),
+         journal::record_of(MissionTime::seconds(10), "sim",
+                            journal::lines::Link{.from = "karma", .to = "heliv", .up = false}),
+         message(received, "heliv", "received")},
+        {{"protocol"}, {}}));
+  };
+
+  EXPECT_THAT(laws(true, 9'600, 11.5), IsEmpty());
+  EXPECT_THAT(laws(true, 9'600, 14), ElementsAre("protocol"));
+  EXPECT_THAT(laws(true, 0, 11.5), ElementsAre("protocol"));
+  EXPECT_THAT(laws(false, 9'600, 11.5), ElementsAre("protocol"));
+}
+
 /// Heliv hears Karma over a link that has been down for a minute.
 std::vector<journal::Record> heard_over_no_link() {
   const auto message = [](double at, const char* node, const char* direction) {
