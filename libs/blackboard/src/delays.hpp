@@ -25,7 +25,8 @@ class Delays {
     if (channel >= last_.size()) last_.resize(channel + 1);
     Duration& last = last_[channel];
     last = std::max(last, transmitted + latency);
-    delayed_.emplace(last, Delayed{channel, std::move(sample), transmitted});
+    // One after the other: what comes behind a long one is on the air after it.
+    delayed_.emplace(last, Delayed{channel, std::move(sample), last - latency});
   }
   /// The channel is cut: what is being transmitted is lost. Cost: O(all that is under way).
   void cut(std::size_t channel, Duration now) {

@@ -40,9 +40,20 @@ void OutgoingEvents::recall(wire::Sample event, std::uint64_t receipt) {
   ++next_;
 }
 
+std::vector<OutgoingEvents::Held>::iterator OutgoingEvents::find(std::uint64_t sequence) {
+  const auto found = std::ranges::lower_bound(held_, sequence, {}, &Held::number);
+  return found == held_.end() || found->number() != sequence ? held_.end() : found;
+}
+
+std::size_t OutgoingEvents::under_way() const {
+  const auto end = std::ranges::lower_bound(held_, oldest() + kEventDepth, {}, &Held::number);
+  return static_cast<std::size_t>(end - held_.begin());
+}
+
 void OutgoingEvents::give_up(std::uint64_t sequence) {
-  if (sequence < oldest() || sequence >= next_) return;
-  give_up(held_[sequence - oldest()]);
+  const auto found = find(sequence);
+  if (found == held_.end()) return;
+  give_up(*found);
   settle_tombstones();
 }
 
@@ -54,19 +65,21 @@ void OutgoingEvents::give_up(Held& event) {
 void OutgoingEvents::settle_tombstones() {
   const auto first = std::ranges::find(held_, false, &Held::given_up);
   drop_first(static_cast<std::size_t>(first - held_.begin()));
-  std::uint64_t places = 0;
+  const auto joins = [](const Held& one, const Held& next) {
+    return one.given_up && next.given_up && one.places + next.places <= kMostInARow;
+  };
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < held_.size(); ++i) {
-    places = held_[i].given_up ? std::min(places + 1, kMostPlaces) : 0;
-    if (places == 0 || is_told_by_next(i)) continue;
-    std::int64_t& expires = wire::header_of(held_[i].sample).expires;
-    if (expires == tombstone_of(places)) continue;
-    expires = tombstone_of(places);
-    held_[i].written.reset();  // with fewer places, if at all
+    if (i + 1 < held_.size() && joins(held_[i], held_[i + 1])) {
+      held_[i + 1].places += held_[i].places;
+      wire::header_of(held_[i + 1].sample).expires = tombstone_of(held_[i + 1].places);
+      held_[i + 1].written.reset();  // with fewer places, if at all
+      continue;
+    }
+    if (kept != i) held_[kept] = std::move(held_[i]);
+    ++kept;
   }
-}
-
-bool OutgoingEvents::is_told_by_next(std::size_t index) const {
-  return held_[index].given_up && index + 1 < under_way() && held_[index + 1].given_up;
+  held_.resize(kept);
 }
 
 void OutgoingEvents::drop_first(std::size_t count) {
@@ -79,10 +92,10 @@ std::vector<std::uint64_t> OutgoingEvents::acknowledge(std::uint64_t sequence) {
   std::vector<std::uint64_t> receipts;
   if (sequence >= next_) return receipts;
   if (sequence < oldest()) return receipts;
-  const std::size_t handled = sequence - oldest() + 1;
-  for (std::size_t i = 0; i < handled; ++i)
-    if (held_[i].receipt != 0 && !held_[i].given_up) receipts.push_back(held_[i].receipt);
-  drop_first(handled);
+  const auto waiting = std::ranges::upper_bound(held_, sequence, {}, &Held::number);
+  for (auto one = held_.begin(); one != waiting; ++one)
+    if (one->receipt != 0 && !one->given_up) receipts.push_back(one->receipt);
+  drop_first(static_cast<std::size_t>(waiting - held_.begin()));
   settle_tombstones();
   for (Held& event : held_) event.writings = std::min(event.writings, 1);
   return receipts;
@@ -129,7 +142,6 @@ std::optional<Duration> OutgoingEvents::again_at(std::size_t index, Duration rou
 }
 
 bool OutgoingEvents::is_due(std::size_t index, Now now, Duration round_trip) const {
-  if (is_told_by_next(index)) return false;
   const Held& event = held_[index];
   if (event.written) {
     const auto again = again_at(index, round_trip);
@@ -160,11 +172,10 @@ const wire::Sample* OutgoingEvents::first_due(Now now, Duration round_trip) cons
 }
 
 void OutgoingEvents::written(const wire::Sample& event, Duration until) {
-  const std::uint64_t sequence = wire::header_of(event).sequence_number;
-  if (sequence < oldest() || sequence >= next_) return;
-  Held& one = held_[sequence - oldest()];
-  turn_of_old_ = one.writings == 0;
-  write(one, until);
+  const auto one = find(wire::header_of(event).sequence_number);
+  if (one == held_.end()) return;
+  turn_of_old_ = one->writings == 0;
+  write(*one, until);
 }
 
 std::optional<MissionTime> OutgoingEvents::first_expiry() const {
@@ -178,7 +189,6 @@ std::optional<MissionTime> OutgoingEvents::first_expiry() const {
 std::optional<Duration> OutgoingEvents::next_due(Duration round_trip) const {
   std::optional<Duration> next;
   for (std::size_t i = 0; i < under_way(); ++i) {
-    if (is_told_by_next(i)) continue;
     const auto at = held_[i].written ? again_at(i, round_trip) : Duration{};
     if (at) next = next ? std::min(*next, *at) : *at;
   }

@@ -21,12 +21,15 @@ namespace skein::blackboard {
 ///
 /// An expired event leaves at once if it is the oldest. Behind an older one that still waits, it
 /// stays as a tombstone, empty and expired long ago, so that the peer sees no gap it would have to
-/// wait for. Of such events in a row only the last is written, for all of them: a cut on a narrow
-/// channel leaves dozens, and what still counts waits behind them.
+/// wait for. Of such events in a row only the last is left, for up to kMostInARow of them: a cut on
+/// a narrow channel leaves dozens, and what still counts waits behind them; one of an hour leaves
+/// thousands, which must not fill what is held.
 class OutgoingEvents {
  public:
   static constexpr std::size_t kAgainAtOnce = 8;
   static constexpr int kMostBackOff = 8;
+  /// Less than are under way, so that a peer has room for all whose places a tombstone keeps.
+  static constexpr std::uint64_t kMostInARow = kEventDepth / 2;
 
   OutgoingEvents(std::size_t capacity, Duration retransmission)
       : capacity_(capacity), retransmission_(retransmission) {}
@@ -36,7 +39,7 @@ class OutgoingEvents {
   /// The sequence number of the next event to be held.
   std::uint64_t next_sequence() const { return next_; }
   /// The oldest event held, or the next if none is.
-  std::uint64_t oldest() const { return next_ - held_.size(); }
+  std::uint64_t oldest() const { return held_.empty() ? next_ : held_.front().first(); }
 
   /// The header of `event` must carry next_sequence(). `receipt`: see SendOptions.
   void hold(wire::Sample event, std::uint64_t receipt = 0);
@@ -80,17 +83,22 @@ class OutgoingEvents {
     bool may_have_arrived = false;         ///< written while the peer was heard
     bool given_up = false;
     std::uint64_t receipt = 0;
+    std::uint64_t places = 1;  ///< its own and those right before it, of tombstones
+
+    std::uint64_t number() const { return wire::header_of(sample).sequence_number; }
+    std::uint64_t first() const { return number() - places + 1; }
   };
+  std::vector<Held>::iterator find(std::uint64_t sequence);
   void give_up(Held& event);
   /// The tombstones at the front are gone; of others in a row the last one stands for all.
   void settle_tombstones();
-  bool is_told_by_next(std::size_t index) const;
   void drop_first(std::size_t count);
   void write(Held& event, Duration at);
   bool is_due(std::size_t index, Now now, Duration round_trip) const;
   /// When the event, which was written, is to be repeated; none: not before older ones are gone.
   std::optional<Duration> again_at(std::size_t index, Duration round_trip) const;
-  std::size_t under_way() const { return std::min(held_.size(), kEventDepth); }
+  /// Number of those that may be written now.
+  std::size_t under_way() const;
 
   std::size_t capacity_;
   Duration retransmission_;

@@ -315,6 +315,46 @@ TEST(OutgoingEvents, ATombstoneThatTellsOfMoreIsWrittenAgain) {
   EXPECT_THAT(sender.due(0), ElementsAre(3)) << "for 2 and 3";
 }
 
+// Found by a random mission: the holder of a token told a ground station out of reach of it once a
+// second. After 17 minutes its events were refused, also those that do not expire.
+TEST(OutgoingEvents, WhatExpiresInALongCutDoesNotFillIt) {
+  Sender sender;
+  sender.hold();
+  for (std::int64_t i = 1; i <= 20'000; ++i) {
+    sender.mission = MissionTime::nanoseconds(i);
+    sender.events.expire(sender.mission);
+    sender.hold(i);
+    ASSERT_FALSE(sender.events.full()) << i;
+  }
+  sender.hold();
+
+  sender.events.acknowledge(1);
+  EXPECT_THAT(sender.due(0), ElementsAre(20'001, 20'002)) << "they are the oldest now";
+}
+
+/// What a receiver makes of it when all that is due arrives, again and again.
+TEST(OutgoingEvents, OfALongRowOfTombstonesAReceiverIsToldInAsManyStepsAsItHasRoomFor) {
+  Sender sender;
+  sender.hold();
+  for (std::int64_t i = 1; i <= 1'000; ++i) {
+    sender.hold(i);
+    sender.mission = MissionTime::nanoseconds(i + 1);
+    sender.events.expire(sender.mission);
+  }
+  sender.hold();
+  Receiver receiver;
+  for (std::int64_t step = 0; sender.events.size() > 0 && step < 20; ++step) {
+    const Now now{sender.mission, Duration::milliseconds(1'000 * step)};
+    receiver.on_heartbeat(heartbeat(sender.events.oldest()));
+    for (const wire::Sample* sample : sender.events.take_due(now, {})) receiver.on_event(*sample);
+    receiver.events().commit();
+    sender.events.acknowledge(receiver.events().ack_sequence());
+  }
+
+  EXPECT_EQ(sender.events.size(), 0U);
+  EXPECT_THAT(receiver.delivered(), ElementsAre(1, 1'002));
+}
+
 TEST(Freshness, TheNewestByIncarnationThenSequenceWins) {
   Freshness freshness;
   const auto admit = [&](std::uint64_t incarnation, std::uint64_t sequence) {
