@@ -26,6 +26,7 @@ std::optional<std::variant<wire::Sample, Malformed>> IncomingParts::take(const w
     return std::nullopt;
   }
   if (part.number != number_ || part.total != total_) begin(part);
+  const std::uint32_t before = there_;
   const bool comes_again = part.offset < there_ || later_.contains(part.offset);
   if (part.offset == there_) add(part.offset, part.content);
   add_later();
@@ -33,7 +34,7 @@ std::optional<std::variant<wire::Sample, Malformed>> IncomingParts::take(const w
     later_.insert_or_assign(part.offset, part.content);
   const bool names_gap = !later_.empty() && gap_told_ != there_;
   if (comes_again || names_gap || ++since_told_ > quiet_) owes_ = true;
-  if (there_ < total_) return std::nullopt;
+  if (there_ == before || there_ < total_) return std::nullopt;
   auto event = decode(static_cast<wire::Slot>(part.of_slot), bytes_);
   std::vector<std::uint8_t>().swap(bytes_);
   return event;

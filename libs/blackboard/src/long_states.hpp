@@ -15,7 +15,8 @@ namespace skein::blackboard {
 /// The states that are too long to be said at once over a channel of limited capacity: whoever else
 /// has something to say would wait for the end. They go to one peer in parts, one state after the
 /// other; of each only the newest value waits. What is under way goes on to its end: a newer value
-/// takes its place only if no more than the first part was written, and not twice in a row. What
+/// takes its place only if no more than the first part was written, and not twice in a row, or if
+/// all of it was, whatever the peer has said of that. What
 /// was said is kept for the peer's next life, as the transport keeps shorter ones. Memory: one
 /// value for each (slot, instance) that was long.
 class LongStates {

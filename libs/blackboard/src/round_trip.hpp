@@ -12,8 +12,7 @@ namespace skein::blackboard {
 
 /// How long it may take until what was written on the channel to a peer is acknowledged on the one
 /// back. A value. Source: docs/decisions/0043-datagrams-of-one-packet.md, 0108.
-class RoundTrip {
- public:
+struct RoundTrip {
   /// Long enough to acknowledge a burst at once, short against any retransmission time.
   static constexpr Duration kAtOnce = Duration::milliseconds(10);
 

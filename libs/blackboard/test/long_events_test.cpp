@@ -191,6 +191,7 @@ TEST(IncomingParts, WhatComesBehindAGapIsKeptAndTheGapIsNamed) {
   const auto whole = in.take(all[2]);
   ASSERT_TRUE(whole.has_value());
   EXPECT_EQ(std::get<wire::Sample>(*whole), numbered(kFirstLongEvent, 3'500));
+  EXPECT_FALSE(in.take(all[2]).has_value()) << "again, before it was handled";
 }
 
 TEST(IncomingParts, KeepNoMoreBehindAGapThanMayBeUnderWay) {
