@@ -92,6 +92,10 @@ Way::Way(const std::vector<Vector3>& points, const Margins& margins, bool from_r
   way_points_ = !hovers_  ? stretched(points, margins.steered)
                 : steered ? steered_along(points, margins)
                           : points_;
+  const auto is_lower = [](const Vector3& a, const Vector3& b) { return a.z() < b.z(); };
+  const auto [lowest, highest] = std::minmax_element(points_.begin(), points_.end(), is_lower);
+  // Whatever it has not reached yet, it is no lower and no higher than the way anywhere is.
+  const double under = lowest->z() - margins.level, over = highest->z() + margins.level;
   bool rises = from_rest;
   for (std::size_t i = 1; i < points_.size(); ++i) {
     const Vector3 &from = points_[i - 1], &to = points_[i];
@@ -106,7 +110,8 @@ Way::Way(const std::vector<Vector3>& points, const Margins& margins, bool from_r
                        (i + 1 < points_.size() && slopes(to, points_[i + 1]));
     const double height = steep ? margins.slope : margins.level;
     pieces_.push_back({from.head<2>(), to.head<2>(), margins.way,
-                       std::min(from.z(), to.z()) - height, std::max(from.z(), to.z()) + height});
+                       std::max(under, std::min(from.z(), to.z()) - height),
+                       std::min(over, std::max(from.z(), to.z()) + height)});
   }
   for (std::size_t i = 0; i < narrow; ++i) pieces_[i].radius = margins.hold;
   pieces_.push_back(stay_at(points_.back(), margins));

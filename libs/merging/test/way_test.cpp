@@ -100,13 +100,31 @@ TEST(Way, EndsByStaying) {
 }
 
 TEST(Way, TakesMoreHeightWhereItRisesAndBesideThat) {
-  const Way way({{0, 0, 40}, {40, 0, 40}, {80, 0, 60}, {120, 0, 60}, {160, 0, 60}}, kHovers);
+  const Way way({{0, 0, 40},
+                 {40, 0, 40},
+                 {80, 0, 60},
+                 {120, 0, 60},
+                 {160, 0, 60},
+                 {200, 0, 60},
+                 {240, 0, 20},
+                 {280, 0, 80}},
+                kHovers);
   EXPECT_EQ(way.volumes()[0].floor, 38);
   EXPECT_EQ(way.volumes()[1].floor, 34);
   EXPECT_EQ(way.volumes()[2].floor, 34);
   EXPECT_EQ(way.volumes()[2].ceiling, 66);
   EXPECT_EQ(way.volumes()[3].ceiling, 66);
   EXPECT_EQ(way.volumes()[4].ceiling, 62);
+}
+
+// A plane that was to sink by 1.3 m out of closed air asked for 65 m below it, and circled in
+// there.
+TEST(Way, TakesNoMoreHeightThanItsLowestAndHighestPlacesDo) {
+  const Way way({{0, 0, 40}, {100, 0, 41}, {200, 0, 41}}, kHovers);
+  for (const Volume& one : way.volumes()) {
+    EXPECT_GE(one.floor, 38);
+    EXPECT_LE(one.ceiling, 43);
+  }
 }
 
 TEST(Way, IsLeftPieceByPieceWithOnePieceKeptBehind) {

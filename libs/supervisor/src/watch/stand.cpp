@@ -2,6 +2,7 @@
 #include "watch/stand.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "flight/flight_times.hpp"
 
@@ -11,6 +12,8 @@ namespace {
 
 /// Radii from its middle within which it counts as on its circle, which it may still be joining.
 constexpr double kOnCircle = 1.5;
+/// [m] Who is so far above or below its plan's place has got out of the way of others there.
+constexpr double kOffHeight = 10;
 
 }  // namespace
 
@@ -24,8 +27,11 @@ std::optional<world::Vector3> circled(const Book& book, const Beliefs& beliefs) 
     over = entry.done() ? std::optional(entry.task.way.back()) : std::nullopt;
   }
   const double circle = kOnCircle * stay_radius(beliefs.model());
-  const bool near = over && (vehicle.position - *over).norm() <= circle;
-  return near ? over : std::nullopt;
+  const bool near = over && (vehicle.position - *over).head<2>().norm() <= circle;
+  if (!near) return std::nullopt;
+  const double height = vehicle.position.z();
+  return std::abs(height - over->z()) <= kOffHeight ? *over
+                                                    : world::Vector3(over->x(), over->y(), height);
 }
 
 bool was_stopped(const Book& book, const Beliefs& beliefs) {

@@ -10,7 +10,8 @@
 namespace skein::supervisor {
 
 /// The place that a vehicle that cannot hover circles around: the end of its last motion, if it is
-/// near that. Absent for a vehicle that hovers, flies along a way, or is on the ground.
+/// near that; at its own height if it got out of the way of others upwards or downwards. Absent for
+/// a vehicle that hovers, flies along a way, or is on the ground.
 std::optional<world::Vector3> circled(const Book& book, const Beliefs& beliefs);
 
 /// Whether a vehicle that cannot hover was stopped in its last motion: it circles where that was,

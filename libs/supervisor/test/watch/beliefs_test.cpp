@@ -118,6 +118,15 @@ TEST(Stand, OneThatCannotHoverIsWhereItCircles) {
   EXPECT_EQ(place_of_vehicle(rooms.book, rooms.beliefs), world::Vector3(100, 0, 40));
 }
 
+// Ways from there were planned 36 m below it, and as slopes asked for all air down to others.
+TEST(Stand, OneThatGotOutOfTheWayUpwardsCirclesUpThere) {
+  Circling rooms;
+  rooms.ended(100).flies({130, 0, 43});
+  EXPECT_EQ(circled(rooms.book, rooms.beliefs), world::Vector3(100, 0, 40)) << "it wavers";
+  rooms.flies({130, 0, 76});
+  EXPECT_EQ(circled(rooms.book, rooms.beliefs), world::Vector3(100, 0, 76));
+}
+
 TEST(Stand, OneThatIsFarFromWhereItFlewToIsWhereItIs) {
   Circling rooms;
   rooms.ended(100).flies({400, 0, 40});
