@@ -31,6 +31,9 @@ struct Look {
 /// The part of a zone that was in view during one of `looks` at some time, [0, 1].
 double part_in_view(const History& history, const std::vector<Look>& looks,
                     const world::Polygon& zone);
+/// The part that was in view during one of `some` and during one of `others`, [0, 1].
+double part_in_both_views(const History& history, const std::vector<Look>& some,
+                          const std::vector<Look>& others, const world::Polygon& zone);
 // synchronisation.cpp
 std::vector<Violation> synchronisations_apart(const History& history);
 std::vector<Violation> partners_too_near(const History& history);
@@ -62,6 +65,7 @@ std::vector<Violation> joint_tasks_apart(const History& history);
 std::vector<Violation> places_against_constraints(const History& history);
 // joint_truth.cpp
 std::vector<Violation> joint_tasks_not_done(const History& history);
+std::vector<Violation> areas_mapped_twice(const History& history);
 // team.cpp
 std::vector<Violation> team_sales_nobody_bid_in(const History& history);
 std::vector<Violation> granted_and_not_begun(const History& history);

@@ -84,10 +84,9 @@ double seconds_over(const History& history, const Uav& uav, const Goal& goal,
   return seconds;
 }
 
-}  // namespace
-
-double part_in_view(const History& history, const std::vector<Look>& looks,
-                    const world::Polygon& zone) {
+/// Of cells over the zone, which were in view during one of `looks`.
+std::vector<bool> cells_seen(const History& history, const std::vector<Look>& looks,
+                             const world::Polygon& zone) {
   const double side = std::max(3.0, std::sqrt(world::area(zone) / 1500));
   const std::vector<world::Vector3> cells = cells_of(history, zone, side);
   std::vector<bool> seen(cells.size(), false);
@@ -96,8 +95,25 @@ double part_in_view(const History& history, const std::vector<Look>& looks,
       if (!seen[i] && world::in_view(view, cells[i])) seen[i] = true;
     }
   });
+  return seen;
+}
+
+}  // namespace
+
+double part_in_view(const History& history, const std::vector<Look>& looks,
+                    const world::Polygon& zone) {
+  const std::vector<bool> seen = cells_seen(history, looks, zone);
   const auto count = std::count(seen.begin(), seen.end(), true);
-  return cells.empty() ? 1 : static_cast<double>(count) / static_cast<double>(cells.size());
+  return seen.empty() ? 1 : static_cast<double>(count) / static_cast<double>(seen.size());
+}
+
+double part_in_both_views(const History& history, const std::vector<Look>& some,
+                          const std::vector<Look>& others, const world::Polygon& zone) {
+  const std::vector<bool> one = cells_seen(history, some, zone);
+  const std::vector<bool> other = cells_seen(history, others, zone);
+  double both = 0;
+  for (std::size_t i = 0; i < one.size(); ++i) both += one[i] && other[i] ? 1 : 0;
+  return one.empty() ? 0 : both / static_cast<double>(one.size());
 }
 
 std::optional<double> seconds_detected(const History& history, const Uav& uav, const Goal& goal) {

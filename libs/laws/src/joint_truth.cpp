@@ -3,6 +3,7 @@
 // and what is to be perceived was perceived, from where the model allows it.
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <set>
 
@@ -210,18 +211,25 @@ std::set<std::string> shared_areas(const History& history, const interaction::Va
   return areas;
 }
 
-/// By all members together.
-std::string not_mapped(const History& history, const std::string& joint,
-                       const interaction::Variant& variant) {
-  const std::set<std::string> areas = shared_areas(history, variant);
+/// What members looked at for a joint task.
+std::vector<Look> looks_for(const History& history, const std::string& joint) {
   std::vector<Look> looks;
   for (const RoleTaskTold& task : history.joint.tasks) {
-    if (task.joint != joint || areas.empty()) continue;
+    if (task.joint != joint) continue;
     const Uav& uav = history.uavs.at(task.uav);
     for (const Activity& look : uav.activities) {
       if (look.task == task.task && look.looks()) looks.push_back({&uav, &look});
     }
   }
+  return looks;
+}
+
+/// By all members together.
+std::string not_mapped(const History& history, const std::string& joint,
+                       const interaction::Variant& variant) {
+  const std::set<std::string> areas = shared_areas(history, variant);
+  if (areas.empty()) return "";
+  const std::vector<Look> looks = looks_for(history, joint);
   const auto arguments = arguments_of(joint, variant);
   for (const std::string& area : areas) {
     const world::Zone* zone = history.zone(arguments.at(area));
@@ -252,6 +260,99 @@ std::vector<Violation> joint_tasks_not_done(const History& history) {
     if (const auto why = not_mapped(history, told->joint, *variant); !why.empty()) broken(why);
     if (const auto why = not_watched(history, told->joint, *variant); !why.empty()) broken(why);
   });
+  return result;
+}
+
+namespace {
+
+/// A time in which two members hear each other again, and share the joint task.
+struct Again {
+  double from = 0, until = kNever;
+};
+
+/// Of two that hold roles of one joint task: from when the link between them is up again, until it
+/// is down or one of them is through.
+std::vector<Again> hear_each_other_again(const History& history, const Held& one,
+                                         const Held& other) {
+  constexpr double kMoment = 0.01;  // [s] before the link was up again
+  const JointHistory& joint = history.joint;
+  const double begin = std::max(one.from, other.from);
+  const double end = std::min({one.until, other.until, history.end});
+  std::vector<Again> all;
+  for (const LinkTold& back : joint.links) {
+    if (!back.up || back.at <= begin || back.at >= end) continue;
+    if (!all.empty() && all.back().from == back.at) continue;  // the other direction
+    const double before = back.at - kMoment;
+    if (!joint.cut_off(one.uav, other.uav, before, before)) continue;
+    double until = end;
+    for (const LinkTold& cut : joint.links) {
+      if (cut.up || cut.at <= back.at || !joint.cut_off(one.uav, other.uav, cut.at, cut.at))
+        continue;
+      until = std::min(until, cut.at);
+    }
+    const double after = back.at + kMoment;
+    if (!joint.cut_off(one.uav, other.uav, after, after)) all.push_back({back.at, until});
+  }
+  return all;
+}
+
+/// Those of one UAV within that time, in `kept`.
+std::vector<Look> within(const std::vector<Look>& looks, const std::string& uav, const Again& time,
+                         std::deque<Activity>& kept) {
+  std::vector<Look> result;
+  for (const Look& one : looks) {
+    if (one.uav->name() != uav) continue;
+    Activity part = *one.look;
+    part.from = std::max(part.from, time.from);
+    part.until = std::min(part.until, time.until);
+    if (part.from < part.until) result.push_back({one.uav, &kept.emplace_back(std::move(part))});
+  }
+  return result;
+}
+
+/// The greatest part of an area that both had in view in that time.
+std::pair<double, std::string> mapped_by_both(const History& history, const Held& one,
+                                              const Held& other, const Again& time,
+                                              const interaction::Variant& variant) {
+  const std::vector<Look> looks = looks_for(history, one.joint);
+  std::deque<Activity> kept;
+  const auto mine = within(looks, one.uav, time, kept),
+             theirs = within(looks, other.uav, time, kept);
+  const auto arguments = arguments_of(one.joint, variant);
+  std::pair<double, std::string> most;
+  for (const std::string& area : shared_areas(history, variant)) {
+    const world::Zone* zone = history.zone(arguments.at(area));
+    if (zone == nullptr) continue;
+    most = std::max(most, {part_in_both_views(history, mine, theirs, zone->polygon), zone->name});
+  }
+  return most;
+}
+
+}  // namespace
+
+// Two parts that border on each other are both in view along that.
+std::vector<Violation> areas_mapped_twice(const History& history) {
+  constexpr double kLeavesIt = 25;  // [s] until who came back has told what it has left, and turned
+  constexpr double kBorders = 0.1;  // of the area
+  std::vector<Violation> result;
+  const std::vector<Held> all = roles_held(history.joint);
+  for (auto one = all.begin(); one != all.end(); ++one) {
+    for (auto other = std::next(one); other != all.end(); ++other) {
+      if (one->joint != other->joint || one->uav == other->uav) continue;
+      const auto told = std::find_if(history.joint.joints.begin(), history.joint.joints.end(),
+                                     [&](const auto& it) { return it.joint == one->joint; });
+      const interaction::Variant* variant = variant_of(history, *told);
+      if (variant == nullptr) continue;
+      for (Again time : hear_each_other_again(history, *one, *other)) {
+        time.from += kLeavesIt;
+        const auto [part, area] = mapped_by_both(history, *one, *other, time, *variant);
+        if (part <= kBorders) continue;
+        result.push_back({"", time.from, one->uav, 0,
+                          "it and " + other->uav + " hear each other again, and both map " +
+                              figure(100 * part) + " % of " + area});
+      }
+    }
+  }
   return result;
 }
 

@@ -63,6 +63,8 @@ std::vector<Law> all_but_team_laws() {
       {"joint", "no joint task ends at one and is aborted at another", joint_tasks_apart},
       {"joint-ends", "each joint task ends, and says why if not done", joint_tasks_without_end},
       {"joint-done", "a joint task achieved was truly done by its members", joint_tasks_not_done},
+      {"twice-mapped", "an area is shared with who came back, not mapped twice",
+       areas_mapped_twice},
       {"places", "where a role sends a UAV its constraints hold, by truth",
        places_against_constraints},
       {"one-motion", "one motion at a time, one use of a device", motions_at_once},

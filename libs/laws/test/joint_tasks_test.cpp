@@ -262,6 +262,32 @@ TEST(JointLaws, AnAreaThatIsSharedWasInViewOfAllTogether) {
               ElementsAre(HasSubstr("% of P1 was in view")));
 }
 
+/// Both look down there from 20 s to 80 s.
+Told mapped_together(const world::Vector3& marvin, const world::Vector3& heliv) {
+  Told told;
+  told.shares({{-30, -40}, {130, -40}, {130, 40}, {-30, 40}});
+  told.phase(10, "marvin", "running", "watch").phase(12, "heliv", "running", "relay");
+  told.perceives("marvin", 9, 20, 80).is_at("marvin", marvin);
+  return told.perceives("heliv", 19, 20, 80).is_at("heliv", heliv);
+}
+
+TEST(JointLaws, AnAreaIsNotMappedTwiceByTwoWhoHearEachOtherAgain) {
+  const Told apart = mapped_together({-30, 0, 60}, {130, 0, 60});
+  const Told alike = mapped_together({0, 0, 60}, {0, 0, 60});
+  EXPECT_THAT(Told(apart).link(15, false).link(30, true).broken(areas_mapped_twice), IsEmpty());
+  EXPECT_THAT(Told(alike).link(15, false).link(30, true).broken(areas_mapped_twice),
+              ElementsAre(HasSubstr("% of P1")));
+}
+
+TEST(JointLaws, WhoNeverHearEachOtherAgainOrOnlyThenMayMapItTwice) {
+  const Told alike = mapped_together({0, 0, 60}, {0, 0, 60});
+  EXPECT_THAT(Told(alike).link(15, false).broken(areas_mapped_twice), IsEmpty());
+  EXPECT_THAT(Told(alike).link(15, false).link(60, true).broken(areas_mapped_twice), IsEmpty())
+      << "it takes them a while to leave it to one";
+  EXPECT_THAT(Told(alike).link(15, false).link(30, true).link(40, false).broken(areas_mapped_twice),
+              IsEmpty());
+}
+
 TEST(JointLaws, NoGoalIsAchievedOfWhichNoJointTaskEnded) {
   Told told;
   told.phase(10, "marvin", "running", "watch").goal(92, "marvin", "achieved");
