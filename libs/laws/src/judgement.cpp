@@ -27,13 +27,14 @@ HealingLimits limits_of(const scenario::Scenario& scenario, Duration late) {
   return limits;
 }
 
-/// Of a silent radio nobody is told that a link goes down: what is on a narrow one then arrives.
-/// That is no more than the channel carries in two periods of heartbeats; longer events go in
-/// parts.
+/// What has been transmitted when a link goes down arrives. Of a silent radio nobody is told of it:
+/// what is being transmitted on a narrow one arrives too. That is no more than the channel carries
+/// in two periods of heartbeats; longer events go in parts.
 Duration on_the_air(const scenario::Scenario& scenario) {
   const scenario::RadioSpec& radio = scenario.radio;
-  if (!radio.silent || !scenario::narrowest(radio)) return {};
-  return radio.heartbeat + radio.heartbeat + greatest_latency(scenario);
+  const Duration latency = greatest_latency(scenario);
+  if (!radio.silent || !scenario::narrowest(radio)) return latency;
+  return latency + radio.heartbeat + radio.heartbeat;
 }
 
 std::vector<Violation> judge_told(const scenario::Scenario& scenario,

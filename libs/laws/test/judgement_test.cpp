@@ -65,33 +65,49 @@ TEST(Judgement, OverDdsDoesNotAskWhenContactsBegan) {
   EXPECT_THAT(judge(comets(), contact_from_nowhere(), {{}, Duration::seconds(1)}), IsEmpty());
 }
 
+/// What Heliv hears of Karma so long after their link went down.
+std::vector<std::string> laws_on_what_comes_after_a_cut(double seconds,
+                                                        const scenario::RadioSpec& radio) {
+  scenario::Scenario scenario = comets();
+  scenario.radio = radio;
+  const auto message = [](double at, const char* node, const char* direction) {
+    return journal::record_of(MissionTime::seconds(at), node,
+                              journal::lines::Message{.slot = "Decision",
+                                                      .from = "karma",
+                                                      .to = "heliv",
+                                                      .sequence = 1,
+                                                      .direction = direction});
+  };
+  const auto cut =
+      journal::record_of(MissionTime::seconds(10), "sim",
+                         journal::lines::Link{.from = "karma", .to = "heliv", .up = false});
+  return laws_of(judge(
+      scenario, {message(9.9, "karma", "sent"), cut, message(10 + seconds, "heliv", "received")},
+      {{"protocol"}, {}}));
+}
+
 // Found by random missions (--anything --capacity 9600 985006).
 TEST(Judgement, OfANarrowSilentRadioWhatWasOnTheAirArrives) {
-  const auto laws = [](bool silent, double capacity, double received) {
-    scenario::Scenario scenario = comets();
-    scenario.radio.silent = silent;
-    scenario.radio.model.capacity = capacity;
-    const auto message = [](double at, const char* node, const char* direction) {
-      return journal::record_of(MissionTime::seconds(at), node,
-                                journal::lines::Message{.slot = "Decision",
-                                                        .from = "karma",
-                                                        .to = "heliv",
-                                                        .sequence = 1,
-                                                        .direction = direction});
-    };
-    return laws_of(judge(
-        scenario,
-        {message(9.9, "karma", "sent"),
-         journal::record_of(MissionTime::seconds(10), "sim",
-                            journal::lines::Link{.from = "karma", .to = "heliv", .up = false}),
-         message(received, "heliv", "received")},
-        {{"protocol"}, {}}));
-  };
+  scenario::RadioSpec narrow = comets().radio;
+  narrow.silent = true;
+  narrow.model.capacity = 9'600;
+  scenario::RadioSpec wide = narrow, told = narrow;
+  wide.model.capacity = 0;
+  told.silent = false;
 
-  EXPECT_THAT(laws(true, 9'600, 11.5), IsEmpty());
-  EXPECT_THAT(laws(true, 9'600, 14), ElementsAre("protocol"));
-  EXPECT_THAT(laws(true, 0, 11.5), ElementsAre("protocol"));
-  EXPECT_THAT(laws(false, 9'600, 11.5), ElementsAre("protocol"));
+  EXPECT_THAT(laws_on_what_comes_after_a_cut(1.5, narrow), IsEmpty());
+  EXPECT_THAT(laws_on_what_comes_after_a_cut(4, narrow), ElementsAre("protocol"));
+  EXPECT_THAT(laws_on_what_comes_after_a_cut(1.5, wide), ElementsAre("protocol"));
+  EXPECT_THAT(laws_on_what_comes_after_a_cut(1.5, told), ElementsAre("protocol"));
+}
+
+// Found by random missions (--minds --capacity 19200 985005).
+TEST(Judgement, WhatWasTransmittedBeforeACutArrives) {
+  scenario::RadioSpec slow = comets().radio;
+  slow.model.latency = Duration::milliseconds(800);
+
+  EXPECT_THAT(laws_on_what_comes_after_a_cut(0.72, slow), IsEmpty());
+  EXPECT_THAT(laws_on_what_comes_after_a_cut(0.72, comets().radio), ElementsAre("protocol"));
 }
 
 /// Heliv hears Karma over a link that has been down for a minute.
