@@ -84,6 +84,18 @@ FactBits Facts::bits_of(const std::vector<Entry>& entries) {
   return bits;
 }
 
+int Facts::stage_of(FactBits bits) const {
+  FactBits offers = 0;
+  for (std::size_t i = 0; i < size(); ++i) offers |= FactBits{1} << (3 * i);
+  constexpr FactBits kDecision = 2;
+  if ((bits & kDecision) != 0) return 3;
+  if (const Entry* refused = refusal()) {
+    const auto who = static_cast<std::size_t>(refused - entries_.data());
+    if ((bits & (FactBits{2} << (3 * who))) != 0) return 3;
+  }
+  return (bits & offers) == offers ? 2 : 1;
+}
+
 bool Facts::all_offered() const {
   return std::all_of(entries_.begin(), entries_.end(),
                      [](const Entry& one) { return one.offered; });

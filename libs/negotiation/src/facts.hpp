@@ -33,6 +33,9 @@ class Facts {
 
   FactBits bits() const { return bits_of(entries_); }
   static FactBits bits_of(const std::vector<Entry>& entries);
+  /// Of one who knows these facts. 1: somebody has to offer; 2: somebody has to promise; 3:
+  /// decided.
+  int stage_of(FactBits bits) const;
   bool all_offered() const;
   bool all_promised() const;
   /// The entry of a member that refused; null: none.

@@ -5,22 +5,12 @@
 #include <utility>
 
 #include "skein/foundation/contract.hpp"
-#include "skein/foundation/fingerprint.hpp"
 
 namespace skein::interaction {
 
 namespace {
 
 using Vow = Entry::Vow;
-
-std::uint64_t fingerprint_of(const Rows& rows) {
-  Fingerprint print;
-  for (const Row& row : rows) {
-    print.put(row.name).put(row.text).put(std::uint64_t{row.numbers.size()});
-    for (const double number : row.numbers) print.put(number);
-  }
-  return print.value();
-}
 
 std::string joined_by_commas(const std::vector<std::string>& all) {
   std::string text;
@@ -52,8 +42,7 @@ Session::Session(Terms terms, std::string self, const NegotiationLimits& limits,
       limits_(limits),
       told_by_(std::move(told_by)),
       facts_(terms_),
-      told_(terms_.members.size(), 0),
-      last_sent_(terms_.opened) {}
+      telling_(terms_.members.size(), self_, terms_.opened) {}
 
 std::size_t Session::member(const std::string& uav) const {
   const auto found = std::find(terms_.members.begin(), terms_.members.end(), uav);
@@ -77,18 +66,16 @@ void Session::join(const Wanted& wanted, std::shared_ptr<const NegotiationModali
                    MissionTime now, NegotiationEffects& out) {
   const FactBits before = facts_.bits();
   joined_ = true;
-  modality_ = std::move(modality);
-  last_sent_ = now;
+  reckoning_.begin(std::move(modality));
+  telling_.begin(now);
   if (const auto other = difference(wanted, terms_)) {
     set_refused(*other);
   } else if (now >= terms_.settled_by()) {
     set_refused("too late for it");
-  } else if (const auto problem = modality_->problem_of(terms_)) {
+  } else if (const auto problem = reckoning_.modality().problem_of(terms_)) {
     set_refused(*problem);
   }
-  if (terms_.opener == terms_.members[self_]) {
-    for (std::size_t i = 0; i < facts_.size(); ++i) to_tell_.insert(i);
-  }
+  if (terms_.opener == terms_.members[self_]) telling_.owe_all();
   if (wants_offer()) out.emplace_back(PrepareOffer{terms_});
   plan_to_tell(before);
   advance(now, out);
@@ -97,8 +84,8 @@ void Session::join(const Wanted& wanted, std::shared_ptr<const NegotiationModali
 void Session::offer(const Result<Rows, Failure>& offer, MissionTime now, NegotiationEffects& out) {
   SKEIN_EXPECTS(wants_offer());
   const FactBits before = facts_.bits();
-  const auto problem =
-      offer ? modality_->problem_of(terms_, *offer) : std::optional<std::string>(offer.error().why);
+  const auto problem = offer ? reckoning_.modality().problem_of(terms_, *offer)
+                             : std::optional<std::string>(offer.error().why);
   if (problem) {
     set_refused(*problem);
   } else {
@@ -110,14 +97,13 @@ void Session::offer(const Result<Rows, Failure>& offer, MissionTime now, Negotia
 }
 
 bool Session::wants_result() const {
-  return reckons_ && may_refuse() && facts_.refusal() == nullptr && !outcome_;
+  return reckoning_.is_under_way() && may_refuse() && facts_.refusal() == nullptr && !outcome_;
 }
 
 void Session::reckoned(Result<Rows, Failure> result, MissionTime now, NegotiationEffects& out) {
   SKEIN_EXPECTS(wants_result());
   const FactBits before = facts_.bits();
-  reckons_ = false;
-  know(std::move(result));
+  if (const auto why = reckoning_.know(std::move(result))) set_refused(*why);
   plan_to_tell(before);
   advance(now, out);
 }
@@ -159,53 +145,40 @@ std::optional<std::string> Session::receive(const SessionMessage& message, Missi
   const FactBits theirs = Facts::bits_of(message.entries);
   if (says_more_of_self(message.entries)) lose();
   facts_.merge(message.entries);
-  told_[from] |= theirs;
+  telling_.heard(from, theirs);
   const bool news = lacks(before, theirs);
-  if (from == 0) unheard_ = 0;
   // The decider's next stage answers what is new to it; if that does not come, they ask again.
   const bool leads = decides() && is_active();
-  const bool behind =
-      leads ? stage_of(theirs) < stage_of(facts_.bits()) : lacks(theirs, facts_.bits());
+  const bool behind = leads ? facts_.stage_of(theirs) < facts_.stage_of(facts_.bits())
+                            : lacks(theirs, facts_.bits());
   const bool echo = message.wants_echo && !(leads && news);
-  if (behind || echo) to_tell_.insert(from);
+  if (behind || echo) telling_.owe(from);
   plan_to_tell(before);
   advance(now, out);
   return std::nullopt;
 }
 
-// 1: somebody has to offer; 2: somebody has to promise; 3: decided.
-int Session::stage_of(FactBits bits) const {
-  FactBits offers = 0;
-  for (std::size_t i = 0; i < facts_.size(); ++i) offers |= FactBits{1} << (3 * i);
-  constexpr FactBits kDecision = 2;
-  const Entry* refused = facts_.refusal();
-  if ((bits & kDecision) != 0) return 3;
-  if (refused != nullptr) {
-    const std::size_t who = member(refused->uav);
-    if ((bits & (FactBits{2} << (3 * who))) != 0) return 3;
-  }
-  return (bits & offers) == offers ? 2 : 1;
-}
-
 void Session::tell(const std::string& uav, NegotiationEffects& out) {
-  const std::size_t to = member(uav);
-  send_to(to, lags(to), out);
+  send_to(member(uav), false, out);
 }
 
 void Session::pass(MissionTime now, NegotiationEffects& out) {
   advance(now, out);
-  if (!is_active() || now < again_at()) return;
-  const std::set<std::size_t> again = who_is_told_again(now);
-  for (const std::size_t one : again) send_to(one, lags(one) || asks(now), out);
-  if (!again.empty()) ++unheard_;
-  last_sent_ = now;
+  if (!is_active() || now < telling_.last_sent() + repeats_after()) return;
+  // Who ought to have heard more asks everybody: half the time is over, or the decider is silent.
+  const bool late = now >= terms_.settled_by() || telling_.decider_is_silent();
+  const bool asks = late && !facts_.all_promised();
+  const bool invites = terms_.opener == terms_.members[self_];
+  for (const std::size_t one : telling_.repeat(facts_.bits(), asks, invites, now)) {
+    send_to(one, asks, out);
+  }
 }
 
 void Session::advance(MissionTime now, NegotiationEffects& out) {
   const FactBits before = facts_.bits();
   vow(now, out);
   plan_to_tell(before);
-  conclude(now, out);
+  if (auto outcome = is_active() ? outcome_at(now) : std::nullopt) end(std::move(*outcome), out);
   send(now, out);
 }
 
@@ -213,41 +186,15 @@ void Session::vow(MissionTime now, NegotiationEffects& out) {
   if (!joined_ || !may_refuse() || facts_.refusal() != nullptr) return;
   if (const auto why = objection(now)) return set_refused(*why);
   if (!facts_.all_offered()) return;
-  if (!result_) reckon(out);
-  if (result_) promise();
-}
-
-void Session::reckon(NegotiationEffects& out) {
-  if (!modality_->is_long()) return know(modality_->settle(terms_, offers()));
-  if (!std::exchange(reckons_, true)) out.emplace_back(ReckonResult{terms_, offers()});
-}
-
-void Session::know(Result<Rows, Failure> result) {
-  if (!result) return set_refused(result.error().why);
-  result_ = std::move(*result);
-}
-
-Offers Session::offers() const {
-  Offers all;
-  for (const Entry& one : facts_.entries()) all[one.uav] = one.offer;
-  return all;
+  if (const auto why = reckoning_.reckon(terms_, facts_, out)) return set_refused(*why);
+  if (reckoning_.result()) promise();
 }
 
 // Why this member can promise nothing.
 std::optional<std::string> Session::objection(MissionTime now) const {
   if (const Entry* lost = facts_.loss()) return lost->uav + " was restarted";
-  if (auto bad = bad_offer()) return bad;
+  if (auto bad = reckoning_.bad_offer(terms_, facts_)) return bad;
   if (now >= terms_.settled_by()) return missing();
-  return std::nullopt;
-}
-
-std::optional<std::string> Session::bad_offer() const {
-  for (const Entry& one : facts_.entries()) {
-    if (!one.offered) continue;
-    if (auto problem = modality_->problem_of(terms_, one.offer)) {
-      return "the offer of " + one.uav + ": " + *problem;
-    }
-  }
   return std::nullopt;
 }
 
@@ -255,7 +202,8 @@ std::string Session::missing() const {
   std::vector<std::string> silent;
   const bool offered = facts_.all_offered();
   for (std::size_t i = 0; i < facts_.size(); ++i) {
-    const bool waits = i == 0 && !(decides() && reckons_);  // for the others' promises
+    const bool waits =
+        i == 0 && !(decides() && reckoning_.is_under_way());  // for the others' promises
     const bool there = offered ? facts_[i].vow != Vow::kNone || waits : facts_[i].offered;
     if (!there) silent.push_back(facts_[i].uav);
   }
@@ -266,7 +214,7 @@ std::string Session::missing() const {
 // The decider promises last.
 void Session::promise() {
   Entry& mine = facts_[self_];
-  const std::uint64_t print = fingerprint_of(*result_);
+  const std::uint64_t print = reckoning_.fingerprint();
   for (std::size_t i = 1; decides() && i < facts_.size(); ++i) {
     if (facts_[i].vow != Vow::kPromised) return;
     if (facts_[i].result != print) {
@@ -282,11 +230,6 @@ void Session::set_refused(const std::string& why) {
   facts_[self_].why = why;
 }
 
-void Session::conclude(MissionTime now, NegotiationEffects& out) {
-  if (!is_active()) return;
-  if (auto outcome = outcome_at(now)) end(std::move(*outcome), out);
-}
-
 std::optional<NegotiationOutcome> Session::outcome_at(MissionTime now) const {
   const bool over = now >= terms_.deadline;
   NegotiationOutcome outcome;
@@ -296,14 +239,15 @@ std::optional<NegotiationOutcome> Session::outcome_at(MissionTime now) const {
   }
   if (facts_.all_promised()) {
     outcome.kind = Kind::kAgreed;
-    outcome.result = result_.value_or(Rows{});
-    if (decides()) outcome.unconfirmed = who_lags();
+    outcome.result = reckoning_.result().value_or(Rows{});
+    const auto lagging = decides() ? telling_.who_lags(facts_.bits()) : std::vector<std::size_t>();
+    for (const std::size_t one : lagging) outcome.unconfirmed.push_back(terms_.members[one]);
     if (!over && !outcome.unconfirmed.empty()) return std::nullopt;
     return outcome;
   }
   if (!over) return std::nullopt;
   outcome.kind = Kind::kUndecided;
-  outcome.result = result_.value_or(Rows{});
+  outcome.result = reckoning_.result().value_or(Rows{});
   outcome.why = facts_[self_].lost ? "it may have promised before it was restarted"
                                    : "promised, and heard from nobody who knows whether " +
                                          terms_.decider() + " did";
@@ -321,61 +265,26 @@ void Session::end(NegotiationOutcome outcome, NegotiationEffects& out) {
   }
 }
 
-std::vector<std::string> Session::who_lags() const {
-  std::vector<std::string> all;
-  for (std::size_t i = 0; i < facts_.size(); ++i) {
-    if (i != self_ && lags(i)) all.push_back(facts_[i].uav);
-  }
-  return all;
-}
-
 // Who has to hear at once of what has become known since `before`: of a refusal of one's own
 // everybody, of anything else the decider, and of a further stage everybody from the decider.
 void Session::plan_to_tell(FactBits before) {
   const FactBits now = facts_.bits();
   const FactBits own = FactBits{7} << (3 * self_);
   const bool refused = lacks(before & own, now & own) && facts_[self_].vow == Vow::kRefused;
-  const bool further = decides() && joined_ && stage_of(now) > stage_of(before);
-  for (std::size_t i = 0; i < facts_.size(); ++i) {
-    const bool hears = refused || further || (i == 0 && lacks(before, now));
-    if (hears && lags(i)) to_tell_.insert(i);
-  }
-}
-
-// Who ought to have heard more asks everybody: half the time is over, or the decider is silent.
-bool Session::asks(MissionTime now) const {
-  if (!is_active() || facts_.all_promised()) return false;
-  return now >= terms_.settled_by() || (unheard_ >= 2 && !decides());
+  const bool further = decides() && joined_ && facts_.stage_of(now) > facts_.stage_of(before);
+  if (refused || further || lacks(before, now)) telling_.owe_news(now, refused || further);
 }
 
 bool Session::is_active() const {
   return joined_ && !moved_ && (!outcome_ || outcome_->kind == Kind::kUndecided);
 }
 
-MissionTime Session::again_at() const {
-  return last_sent_ + (outcome_ ? limits_.ask : limits_.again);
-}
-
-std::set<std::size_t> Session::who_is_told_again(MissionTime now) const {
-  std::set<std::size_t> all;
-  const bool opener = terms_.opener == terms_.members[self_];
-  for (std::size_t i = 0; i < facts_.size(); ++i) {
-    if (i == self_) continue;
-    const bool uninvited = opener && told_[i] == 0;
-    if (asks(now) || (lags(i) && (i == 0 || decides() || uninvited))) all.insert(i);
-  }
-  return all;
-}
-
 void Session::send(MissionTime now, NegotiationEffects& out) {
-  to_tell_.erase(self_);
-  if (to_tell_.empty()) return;
-  for (const std::size_t one : to_tell_) send_to(one, lags(one), out);
-  to_tell_.clear();
-  last_sent_ = now;
+  for (const std::size_t one : telling_.take_owed(now)) send_to(one, false, out);
 }
 
-void Session::send_to(std::size_t member, bool wants_echo, NegotiationEffects& out) const {
+void Session::send_to(std::size_t member, bool asks, NegotiationEffects& out) const {
+  const bool wants_echo = asks || telling_.lags(member, facts_.bits());
   out.emplace_back(SendSessionMessage{
       terms_.members[member],
       SessionMessage{terms_.members[self_], terms_, facts_.entries(), wants_echo}});
@@ -383,8 +292,9 @@ void Session::send_to(std::size_t member, bool wants_echo, NegotiationEffects& o
 
 std::optional<MissionTime> Session::next_wakeup() const {
   if (!is_active()) return std::nullopt;
-  if (outcome_) return again_at();
-  std::optional<MissionTime> next = earliest(terms_.deadline, again_at());
+  const MissionTime again = telling_.last_sent() + repeats_after();
+  if (outcome_) return again;
+  std::optional<MissionTime> next = earliest(terms_.deadline, again);
   if (may_refuse() && facts_.refusal() == nullptr) next = earliest(next, terms_.settled_by());
   return next;
 }
@@ -393,17 +303,18 @@ std::string Session::state_text() const {
   std::string text = to_text(terms_.id()) + (joined_ ? " joined" : " invited");
   text += ", told by " + told_by_;
   if (moved_) text += " moved";
-  if (reckons_) text += " reckons";
-  if (result_) text += " knows the result";
+  if (reckoning_.is_under_way()) text += " reckons";
+  if (reckoning_.result()) text += " knows the result";
   for (std::size_t i = 0; i < facts_.size(); ++i) {
     const Entry& one = facts_[i];
     text += "; " + one.uav + (one.offered ? " offered" : "") + (one.lost ? " lost" : "");
     if (one.vow == Vow::kPromised) text += " promised " + std::to_string(one.result);
     if (one.vow == Vow::kRefused) text += " refused: " + one.why;
-    if (i != self_) text += " knows " + std::to_string(told_[i]);
+    if (i != self_) text += " knows " + std::to_string(telling_.told(i));
   }
   if (outcome_) text += "; " + std::string(to_text(outcome_->kind));
-  return text + "; " + std::to_string(unheard_) + " unheard since " + to_text(last_sent_);
+  return text + "; " + std::to_string(telling_.unheard()) + " unheard since " +
+         to_text(telling_.last_sent());
 }
 
 }  // namespace skein::interaction

@@ -4,12 +4,13 @@
 
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "facts.hpp"
+#include "reckoning.hpp"
 #include "skein/negotiation/negotiation_manager.hpp"
+#include "telling.hpp"
 
 namespace skein::interaction {
 
@@ -78,46 +79,31 @@ class Session {
   using Kind = NegotiationOutcome::Kind;
   bool decides() const { return self_ == 0; }
   std::size_t member(const std::string& uav) const;
-  bool lags(std::size_t member) const { return lacks(told_[member], facts_.bits()); }
-  int stage_of(FactBits bits) const;
 
   void advance(MissionTime now, NegotiationEffects& out);
   void vow(MissionTime now, NegotiationEffects& out);
   std::optional<std::string> objection(MissionTime now) const;
-  std::optional<std::string> bad_offer() const;
-  Offers offers() const;
-  void reckon(NegotiationEffects& out);
-  void know(Result<Rows, Failure> result);
   void promise();
   void set_refused(const std::string& why);
-  void conclude(MissionTime now, NegotiationEffects& out);
   std::optional<NegotiationOutcome> outcome_at(MissionTime now) const;
   void end(NegotiationOutcome outcome, NegotiationEffects& out);
-  std::vector<std::string> who_lags() const;
   std::string missing() const;
 
   void plan_to_tell(FactBits before);
-  bool asks(MissionTime now) const;
   bool is_active() const;
-  MissionTime again_at() const;
-  std::set<std::size_t> who_is_told_again(MissionTime now) const;
   void send(MissionTime now, NegotiationEffects& out);
-  void send_to(std::size_t member, bool wants_echo, NegotiationEffects& out) const;
+  Duration repeats_after() const { return outcome_ ? limits_.ask : limits_.again; }
+  void send_to(std::size_t member, bool asks, NegotiationEffects& out) const;
 
   Terms terms_;
   std::size_t self_;
   NegotiationLimits limits_;
   std::string told_by_;
-  std::shared_ptr<const NegotiationModality> modality_;
   Facts facts_;
-  std::vector<FactBits> told_;  ///< the facts that each member is known to know
-  std::set<std::size_t> to_tell_;
-  std::optional<Rows> result_;
-  bool reckons_ = false;  ///< a job computes the result
+  Telling telling_;
+  Reckoning reckoning_;
   bool joined_ = false, moved_ = false;
   std::optional<NegotiationOutcome> outcome_;
-  MissionTime last_sent_;
-  int unheard_ = 0;  ///< repetitions sent since the decider was last heard
 };
 
 }  // namespace skein::interaction
