@@ -28,6 +28,7 @@ constexpr double kInSight = 0.8;       // of its footprint, from the zone at mos
 constexpr double kTurningShare = 0.8;  // of its time a patrol has the zone in sight, at least
 constexpr double kOutOfSight = 1.25;   // times as long as it would take with the zone in sight
 constexpr double kLongestPatrol = 6;   // times as long as it would take with the zone in sight
+constexpr double kLeastPatrol = 60;    // [s] planned, of which so much is flown as it takes
 constexpr int kLongerPatrols = 6;      // tried, until the zone is in sight for long enough
 constexpr double kLongest = 4;         // times as long as the one before, at most
 constexpr std::uint64_t kFlights = 6;  // in thought, with errors and gusts
@@ -320,8 +321,8 @@ Answer<Motion> Patrols::in_lanes(const Counted& air, const Vector3& from, const 
                                  const Look& look, double seconds, double margin) const {
   const world::World local = air_.over(zone, from, look.width, margin, air);
   const TimedAir::Volumes volumes = air_.closed(air);
-  const double in_sight =
-      seconds + world::to_polygon(from.head<2>(), zone.polygon) / vehicle().cruise_speed;
+  const double approach = world::to_polygon(from.head<2>(), zone.polygon) / vehicle().cruise_speed;
+  const double in_sight = std::max(seconds + approach, kLeastPatrol);
   double duration = in_sight, longer = 1;
   for (int i = 0; i < kLongerPatrols && duration <= kLongestPatrol * in_sight; ++i) {
     const auto way = planned(local, from, zone, look.width, duration);
@@ -339,7 +340,7 @@ Answer<Motion> Patrols::in_rounds(const Counted& air, const Vector3& from, const
                                   const Look& look, double seconds) {
   const double approach = world::to_polygon(from.head<2>(), zone.polygon) / vehicle().cruise_speed;
   for (const Way& round : rounds(from, zone, look.width, air)) {
-    double duration = seconds + approach, longer = 1;
+    double duration = std::max(seconds + approach, kLeastPatrol), longer = 1;
     for (int i = 0; i < kLongerPatrols; ++i, duration *= std::clamp(1.05 * longer, 1.1, kLongest)) {
       const auto way = again_and_again(from, round, duration, air);
       if (!way) break;

@@ -107,6 +107,20 @@ TEST(PlanningFailures, ADeviceThatDoesNotReachTheGroundIsNamed) {
   EXPECT_THAT(lab.reasons(), HasSubstr("singlecam reaches 30 m, and would look from 40 m"));
 }
 
+// Found by a random mission (--fires 987014): of 121 s a blimp had looked at a zone, all but
+// moments were over when a place became known elsewhere, and the rest could not be planned.
+TEST(PlanningFailures, WhatIsLeftOfADetectionIsFlownHoweverShort) {
+  for (const char* model : {"comets/models/karma.yaml", "comets/models/heliv.yaml"}) {
+    for (const double seconds : {0.1, 0.5, 5.0}) {
+      PlanningLab lab;
+      lab.vehicle(testing::vehicle_of("scenarios/"s + model)).flying_at({0, 0, 40}).first_id(1);
+      lab.task(7, "perform-detection", {"Z2"s, "P2"s, seconds});
+
+      EXPECT_TRUE(lab.plan()) << model << " " << seconds << " s: " << lab.reasons();
+    }
+  }
+}
+
 TEST(PlanningFailures, UnknownPlacesAndZonesAreNamedWithTheNearest) {
   PlanningLab place = flying(), zone = flying();
   place.task(1, "general-gotoxyz", {"tre"s});
