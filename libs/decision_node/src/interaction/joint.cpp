@@ -251,4 +251,16 @@ bool is_about_places(const Joint& joint, const interaction::ScmInstance& instanc
   });
 }
 
+bool outweigh(const Holders& theirs, const Holders& mine) {
+  const auto without = [](Holders all, const Holders& others) {
+    for (const auto& [uav, role] : others) all.erase(uav);
+    return all;
+  };
+  const Holders apart = without(mine, theirs);
+  Holders others = without(theirs, mine);
+  if (others.empty()) others = theirs;  // whom they have lost is not yet aware of it
+  if (apart.empty() || others.size() != apart.size()) return others.size() > apart.size();
+  return others.begin()->first < apart.begin()->first;
+}
+
 }  // namespace skein::decision_node

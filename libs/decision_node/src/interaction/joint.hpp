@@ -58,6 +58,11 @@ Result<Argument, Failure> value_of(const config::Value& expression, const Argume
 /// UAVs to the roles they hold.
 using Holders = std::map<std::string, std::string>;
 
+/// Of two that hear each other again: whether those of `theirs`, who go on without some of `mine`,
+/// are more than these, or as many with the first name. Where each goes on without the other both
+/// see it alike, so one of them yields, also if a third one counts for both.
+bool outweigh(const Holders& theirs, const Holders& mine);
+
 /// The values of the places and numbers of an SCM, as seen by `self`. Points without a name get the
 /// name of their parameter.
 interaction::ScmBinding binding_of(const Joint& joint, const interaction::ScmInstance& instance,

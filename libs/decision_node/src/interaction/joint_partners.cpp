@@ -78,19 +78,6 @@ void JointTask::partner_told(const interaction::JointTaskStatus& status, Mission
   if (my_.phase == JointPhase::kLoading || my_.phase == JointPhase::kLoaded) load_again(why);
 }
 
-namespace {
-
-/// Whether those who go on without some of `mine` are more than these, or as many with the first
-/// name: both sides see it alike.
-bool outweigh(const Holders& theirs, const Holders& mine) {
-  Holders apart = mine;
-  for (const auto& [uav, role] : theirs) apart.erase(uav);
-  if (apart.empty() || theirs.size() != apart.size()) return theirs.size() > apart.size();
-  return theirs.begin()->first < apart.begin()->first;
-}
-
-}  // namespace
-
 // It was lost there, over a link that is down or past a third one, and what it had left is theirs:
 // they and this UAV do not count on each other any more.
 void JointTask::go_on_apart(const interaction::JointTaskStatus& status) {

@@ -129,5 +129,41 @@ TEST(Joint, WithoutPartnersThereIsNobodyToKeepApartFrom) {
               IsEmpty());
 }
 
+Holders held_by(const std::vector<std::string>& uavs) {
+  Holders holders;
+  for (const std::string& uav : uavs) holders[uav] = "watch";
+  return holders;
+}
+
+TEST(Holders, OfWhoGoOnApartTheMoreOutweighAndElseThoseWithTheFirstName) {
+  EXPECT_TRUE(outweigh(held_by({"karma", "marvin"}), held_by({"heliv"})));
+  EXPECT_FALSE(outweigh(held_by({"heliv"}), held_by({"karma", "marvin"})));
+  EXPECT_TRUE(outweigh(held_by({"heliv"}), held_by({"marvin"})));
+  EXPECT_FALSE(outweigh(held_by({"marvin"}), held_by({"heliv"})));
+}
+
+TEST(Holders, WhoIsNotAwareYetThatTheOthersLostItIsOutweighedByThemAll) {
+  EXPECT_TRUE(outweigh(held_by({"heliv", "karma"}), held_by({"heliv", "karma", "marvin"})));
+  EXPECT_FALSE(outweigh(held_by({"marvin"}), held_by({"heliv", "karma", "marvin"})));
+}
+
+// If both yielded, nobody would map what was theirs; a third one that both hear counts for both.
+TEST(Holders, OfTwoSidesThatGoOnWithoutEachOtherExactlyOneOutweighs) {
+  const std::vector<std::string> uavs{"a", "b", "c", "d", "e"};
+  const auto side = [&](unsigned bits) {
+    std::vector<std::string> some;
+    for (std::size_t i = 0; i < uavs.size(); ++i)
+      if ((bits >> i & 1U) != 0) some.push_back(uavs[i]);
+    return held_by(some);
+  };
+  for (unsigned one = 1; one < 32; ++one) {
+    for (unsigned other = 1; other < 32; ++other) {
+      if ((one & ~other) == 0 || (other & ~one) == 0) continue;  // nobody of one is lost there
+      EXPECT_NE(outweigh(side(one), side(other)), outweigh(side(other), side(one)))
+          << one << " and " << other;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace skein::decision_node
