@@ -7,6 +7,7 @@
 
 #include <deque>
 
+#include "testing/lone_member.hpp"
 #include "testing/road_team.hpp"
 
 namespace skein::auction {
@@ -16,49 +17,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-struct TeamMemberTest : ::testing::Test {
-  TeamMember member(Disk disk = {}) {
-    return TeamMember({MemberNumber(0),
-                       {MemberNumber(0), MemberNumber(1), MemberNumber(2)},
-                       {},
-                       {},
-                       1,
-                       std::move(disk)});
-  }
-  template <class Message>
-  static std::vector<Message> said(const TeamEffects& effects) {
-    std::vector<Message> found;
-    for (const TeamEffect& effect : effects) {
-      const auto* tell = std::get_if<Tell>(&effect);
-      const auto* message = tell != nullptr ? std::get_if<Message>(&tell->message) : nullptr;
-      if (message != nullptr) found.push_back(*message);
-    }
-    return found;
-  }
-  template <class Effect>
-  static std::size_t count(const TeamEffects& effects) {
-    return static_cast<std::size_t>(
-        std::count_if(effects.begin(), effects.end(),
-                      [](const auto& effect) { return std::holds_alternative<Effect>(effect); }));
-  }
-  static TeamInput from(std::uint32_t who, TeamMessage message) {
-    return Heard{MemberNumber(who), std::move(message)};
-  }
-  // A ledger where member 0 has task 5, granted at revision 4.
-  static std::shared_ptr<Ledger> granted() {
-    auto ledger = std::make_shared<Ledger>();
-    ledger->term = 3;
-    ledger->revision = 4;
-    LedgerEntry& entry = ledger->entries[TaskNumber(5)];
-    entry.task.number = TaskNumber(5);
-    entry.stage = Stage::kGranted;
-    entry.owners = {MemberNumber(0)};
-    entry.sale = 9;
-    entry.revision = 4;
-    ledger->routes[MemberNumber(0)] = {TaskNumber(5)};
-    return ledger;
-  }
-};
+using TeamMemberTest = testing::LoneMember;
 
 TEST_F(TeamMemberTest, ItVotesOnceInATermAndStoresThatFirst) {
   TeamMember one = member();
@@ -279,29 +238,6 @@ TEST_F(TeamMemberTest, AHolderThatHearsNoMajorityGivesTheTokenUp) {
 
 // Found by a random mission (--team --deaths 11988): the ground station held the token, was given a
 // mission, and another held it before anybody had heard of that.
-TEST_F(TeamMemberTest, WhoHearsNoHolderSaysItsMissionsToAll) {
-  TeamMember one = member(), other = member();
-  one.handle(MissionGiven{{MissionNumber(7), {}}}, at(0));
-  other.handle(Tick{}, at(0));
-
-  const auto said_by_one = said<Status>(one.handle(Tick{}, *one.next_wakeup()));
-  ASSERT_THAT(said_by_one, SizeIs(2));
-  EXPECT_THAT(said_by_one[0].missions, SizeIs(1));
-  EXPECT_THAT(said<Status>(other.handle(Tick{}, *other.next_wakeup())), IsEmpty())
-      << "it was given none";
-}
-
-TEST_F(TeamMemberTest, WhatAnotherWasGivenIsSaidToTheHolder) {
-  TeamMember one = member();
-  Status heard;
-  heard.missions = {{MissionNumber(7), {}}};
-  EXPECT_EQ(count<Store>(one.handle(from(2, heard), at(1))), 1U);
-  EXPECT_EQ(count<Store>(one.handle(from(2, heard), at(2))), 0U) << "it is known";
-
-  const auto reported = said<Status>(one.handle(from(1, Beat{3, 4, granted()}), at(3)));
-  EXPECT_THAT(reported.at(0).missions, SizeIs(1));
-}
-
 TEST_F(TeamMemberTest, AMissionIsSaidToHoldersWhoseLedgerLacksIt) {
   TeamMember one = member();
   one.handle(Tick{}, at(0));
