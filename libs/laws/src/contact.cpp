@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "airtime.hpp"
+#include "radio_limits.hpp"
 #include "skein/journal/hand_on.hpp"
 #include "skein/journal/lines/radio.hpp"
 #include "skein/journal/lines/truth.hpp"

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "airtime.hpp"
 #include "by_cause.hpp"
+#include "radio_limits.hpp"
 #include "skein/laws/contact.hpp"
 #include "skein/laws/healing.hpp"
 #include "skein/laws/laws.hpp"
@@ -30,7 +30,7 @@ HealingLimits limits_of(const scenario::Scenario& scenario, Duration late) {
 /// What has been transmitted when a link goes down arrives. Of a silent radio nobody is told of it:
 /// what is being transmitted on a narrow one arrives too. That is no more than the channel carries
 /// in two periods of heartbeats; longer events go in parts.
-Duration on_the_air(const scenario::Scenario& scenario) {
+Duration comes_after_a_cut(const scenario::Scenario& scenario) {
   const scenario::RadioSpec& radio = scenario.radio;
   const Duration latency = greatest_latency(scenario);
   if (!radio.silent || !scenario::narrowest(radio)) return latency;
@@ -49,8 +49,9 @@ std::vector<Violation> judge_told(const scenario::Scenario& scenario,
   const bool told_of_links = !(judging.over_dds && scenario.radio.silent);
   if (wants("protocol"))
     add(all, "protocol",
-        broken_protocol(records, command_limit(scenario) + late,
-                        told_of_links ? std::optional(late + on_the_air(scenario)) : std::nullopt));
+        broken_protocol(
+            records, command_limit(scenario) + late,
+            told_of_links ? std::optional(late + comes_after_a_cut(scenario)) : std::nullopt));
   if (wants("healing") && told_of_links)
     add(all, "healing", broken_healing(records, limits_of(scenario, late)));
   if (wants("contact") && !judging.over_dds)

@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "airtime.hpp"
 #include "checks.hpp"
+#include "radio_limits.hpp"
 #include "skein/scenario/narrowest.hpp"
 #include "statement.hpp"
 
@@ -240,9 +240,9 @@ double later_by(const History& history, const std::string& hearer, const SyncHea
   if (author == history.uavs.end()) return 0;
   double most = 0;
   for (const PlanWord& word : author->second.plan_words) {
+    if (!word.sent || word.other != hearer || word.at > there.at) continue;
     const double takes = on_the_air(history, word.arcs) + said_again(*history.scenario);
-    const bool lately = word.at <= there.at && there.at < word.at + takes;
-    if (word.sent && word.other == hearer && lately) most = std::max(most, takes);
+    if (there.at < word.at + takes) most = std::max(most, takes);
   }
   return most;
 }

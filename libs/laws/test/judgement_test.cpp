@@ -65,25 +65,31 @@ TEST(Judgement, OverDdsDoesNotAskWhenContactsBegan) {
   EXPECT_THAT(judge(comets(), contact_from_nowhere(), {{}, Duration::seconds(1)}), IsEmpty());
 }
 
+/// Karma's message to Heliv is sent, or received.
+journal::Record message(double at, const char* node, const char* direction) {
+  return journal::record_of(MissionTime::seconds(at), node,
+                            journal::lines::Message{.slot = "Decision",
+                                                    .from = "karma",
+                                                    .to = "heliv",
+                                                    .sequence = 1,
+                                                    .direction = direction});
+}
+
+/// Their link goes down.
+journal::Record cut(double at) {
+  return journal::record_of(MissionTime::seconds(at), "sim",
+                            journal::lines::Link{.from = "karma", .to = "heliv", .up = false});
+}
+
 /// What Heliv hears of Karma so long after their link went down.
 std::vector<std::string> laws_on_what_comes_after_a_cut(double seconds,
                                                         const scenario::RadioSpec& radio) {
   scenario::Scenario scenario = comets();
   scenario.radio = radio;
-  const auto message = [](double at, const char* node, const char* direction) {
-    return journal::record_of(MissionTime::seconds(at), node,
-                              journal::lines::Message{.slot = "Decision",
-                                                      .from = "karma",
-                                                      .to = "heliv",
-                                                      .sequence = 1,
-                                                      .direction = direction});
-  };
-  const auto cut =
-      journal::record_of(MissionTime::seconds(10), "sim",
-                         journal::lines::Link{.from = "karma", .to = "heliv", .up = false});
-  return laws_of(judge(
-      scenario, {message(9.9, "karma", "sent"), cut, message(10 + seconds, "heliv", "received")},
-      {{"protocol"}, {}}));
+  return laws_of(
+      judge(scenario,
+            {message(9.9, "karma", "sent"), cut(10), message(10 + seconds, "heliv", "received")},
+            {{"protocol"}, {}}));
 }
 
 // Found by random missions (--anything --capacity 9600 985006).
@@ -112,17 +118,7 @@ TEST(Judgement, WhatWasTransmittedBeforeACutArrives) {
 
 /// Heliv hears Karma over a link that has been down for a minute.
 std::vector<journal::Record> heard_over_no_link() {
-  const auto message = [](double at, const char* node, const char* direction) {
-    return journal::record_of(MissionTime::seconds(at), node,
-                              journal::lines::Message{.slot = "Decision",
-                                                      .from = "karma",
-                                                      .to = "heliv",
-                                                      .sequence = 1,
-                                                      .direction = direction});
-  };
-  return {journal::record_of(MissionTime::seconds(0), "sim",
-                             journal::lines::Link{.from = "karma", .to = "heliv", .up = false}),
-          message(60, "karma", "sent"), message(61, "heliv", "received")};
+  return {cut(0), message(60, "karma", "sent"), message(61, "heliv", "received")};
 }
 
 TEST(Judgement, FindsWhatComesOverNoLinkUnlessTheRadioIsNotThatOfTheSimulator) {

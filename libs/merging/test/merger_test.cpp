@@ -212,14 +212,19 @@ TEST(Merger, WhenTheLaterCannotMoveTheOneBeforeIsAsked) {
   EXPECT_THAT(net.asked_aside(), ::testing::Contains(kA));
 }
 
-// C flies through all that B could move to: B waits for that, and A, that could move, must not.
-TEST(Merger, WhenWhoIsAskedToMoveFindsNoAirTheNextIsAskedWithinTwoSeconds) {
-  Net net({kA, kB, kC});
+/// A and B want each other's place, and B is asked to move: to where C stands in its way.
+void ask_one_that_finds_no_air(Net& net) {
   net.stands(kC, {{100, 30}, {100, 30}, 5, 30, 50});
   want_each_others_place(net);
   net.run_for(0.6);
-  ASSERT_THAT(net.asked_aside(), ElementsAre(kB));
   net.give(kB, Want{{{{{100, 0}, {100, 30}, 5, 30, 50}}}, {stretch(0, 100)}});
+}
+
+// C flies through all that B could move to: B waits for that, and A, that could move, must not.
+TEST(Merger, WhenWhoIsAskedToMoveFindsNoAirTheNextIsAskedWithinTwoSeconds) {
+  Net net({kA, kB, kC});
+  ask_one_that_finds_no_air(net);
+  ASSERT_THAT(net.asked_aside(), ElementsAre(kB));
   net.run_for(1.4);
   EXPECT_FALSE(net.has_what_it_wanted(kB));
   EXPECT_THAT(net.asked_aside(), ::testing::Contains(kA));
@@ -228,11 +233,8 @@ TEST(Merger, WhenWhoIsAskedToMoveFindsNoAirTheNextIsAskedWithinTwoSeconds) {
 // Found by random missions (--crossing 610510): the next one moved to where it stood in its way.
 TEST(Merger, WhoFindsNoAirToMoveToTellsWhatItWantsAfterwards) {
   Net net({kA, kB, kC});
-  net.stands(kC, {{100, 30}, {100, 30}, 5, 30, 50});
-  want_each_others_place(net);
-  net.run_for(0.6);
+  ask_one_that_finds_no_air(net);
   ASSERT_THAT(net.asked_aside(), ElementsAre(kB));
-  net.give(kB, Want{{{{{100, 0}, {100, 30}, 5, 30, 50}}}, {stretch(0, 100)}});
   net.give(kA, Withdraw{});
   net.run_for(0.5);
   EXPECT_TRUE(overlap(net.member(kA).peers().others(), {stretch(40, 60)}));

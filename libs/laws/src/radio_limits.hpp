@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// What the radio of a scenario takes, delays and loses at the most.
 #pragma once
 
 #include <algorithm>
