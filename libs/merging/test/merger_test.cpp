@@ -213,17 +213,18 @@ TEST(Merger, WhenTheLaterCannotMoveTheOneBeforeIsAsked) {
 }
 
 /// A and B want each other's place, and B is asked to move: to where C stands in its way.
-void ask_one_that_finds_no_air(Net& net) {
+Net with_one_that_finds_no_air() {
+  Net net({kA, kB, kC});
   net.stands(kC, {{100, 30}, {100, 30}, 5, 30, 50});
   want_each_others_place(net);
   net.run_for(0.6);
   net.give(kB, Want{{{{{100, 0}, {100, 30}, 5, 30, 50}}}, {stretch(0, 100)}});
+  return net;
 }
 
 // C flies through all that B could move to: B waits for that, and A, that could move, must not.
 TEST(Merger, WhenWhoIsAskedToMoveFindsNoAirTheNextIsAskedWithinTwoSeconds) {
-  Net net({kA, kB, kC});
-  ask_one_that_finds_no_air(net);
+  Net net = with_one_that_finds_no_air();
   ASSERT_THAT(net.asked_aside(), ElementsAre(kB));
   net.run_for(1.4);
   EXPECT_FALSE(net.has_what_it_wanted(kB));
@@ -232,8 +233,7 @@ TEST(Merger, WhenWhoIsAskedToMoveFindsNoAirTheNextIsAskedWithinTwoSeconds) {
 
 // Found by random missions (--crossing 610510): the next one moved to where it stood in its way.
 TEST(Merger, WhoFindsNoAirToMoveToTellsWhatItWantsAfterwards) {
-  Net net({kA, kB, kC});
-  ask_one_that_finds_no_air(net);
+  Net net = with_one_that_finds_no_air();
   ASSERT_THAT(net.asked_aside(), ElementsAre(kB));
   net.give(kA, Withdraw{});
   net.run_for(0.5);
@@ -426,7 +426,6 @@ TEST(Merger, WhatIsNotKnownToHaveArrivedIsSaidAgainEverMoreRarely) {
   const std::size_t before = net.messages();
   net.run_for(63);
   EXPECT_EQ(net.messages() - before, 2U * 9) << "after 2, 4, 8, 16, 24, … s to each";
-
   net.set_radio({});
   net.run_for(8.1);
   EXPECT_EQ(net.member(kB).peers().others(), (Volumes{place(50)}));
