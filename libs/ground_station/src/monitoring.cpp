@@ -32,7 +32,7 @@ const TaskOnBoard* current_task(const UavOnBoard& uav) {
 }
 
 Monitoring::Monitoring(const std::vector<Uav>& uavs, Duration grace, MissionChecks checks)
-    : grace_(grace), checks_(std::move(checks)) {
+    : commands_(grace), checks_(std::move(checks)) {
   SKEIN_EXPECTS(grace >= Duration());
   for (const Uav& uav : uavs) {
     SKEIN_EXPECTS(!uavs_.contains(uav.name));
@@ -51,11 +51,8 @@ std::vector<Monitoring::Effect> Monitoring::handle(const Input& input, MissionTi
 }
 
 std::optional<MissionTime> Monitoring::next_wakeup() const {
-  std::optional<MissionTime> wakeup;
-  if (!deadlines_.empty()) wakeup = deadlines_.begin()->first;
-  for (const auto& [name, record] : uavs_) {
-    if (record.change) wakeup = earliest(wakeup, record.change->until);
-  }
+  std::optional<MissionTime> wakeup = commands_.next_wakeup();
+  for (const auto& [name, record] : uavs_) wakeup = earliest(wakeup, record.change.until());
   return wakeup;
 }
 
@@ -105,12 +102,16 @@ void Monitoring::on(const PeerReachable& input, MissionTime, Effects& effects) {
   if (record == nullptr) return;
   record->board.reachable = input.reachable;
   if (!input.restarted) return;
-  if (!runs_at_ground(record->board.degree)) lose_tasks(*record, effects);
+  if (!runs_at_ground(record->board.degree)) {
+    record->messages.clear();
+    effects.emplace_back(UavRestarted{input.uav, record->board.tasks.lose()});
+  }
   record->board.plan = {};
   record->board.goals.clear();
-  record->told_missions.clear();
+  record->missions.restart();
   send_again(*record, effects);
-  if (record->change && !pending_.contains(record->change->command)) settle(*record, effects);
+  const auto change = record->change.command();
+  if (change && commands_.find(*change) == nullptr) settle(*record, effects);
 }
 
 void Monitoring::on(const PlanBoardReceived& input, MissionTime now, Effects& effects) {
@@ -118,14 +119,8 @@ void Monitoring::on(const PlanBoardReceived& input, MissionTime now, Effects& ef
   if (record == nullptr) return;
   record->board.airborne = input.airborne;
   record->models = input.models;
-  const bool is_stale = input.at && record->degree_at && *input.at <= *record->degree_at;
-  if (!is_stale) {
-    record->degree_at = input.at;
-    if (record->change) {
-      record->change->seen = input.degree;
-    } else {
-      set_degree(*record, input.degree, effects);
-    }
+  if (const auto degree = record->change.on_board(input.degree, input.at)) {
+    set_degree(*record, *degree, effects);
   }
   for (const PlannedTaskStatus& task : input.tasks) {
     learn(*record, {input.uav, task.task, task.type, task.state}, now, effects);
@@ -143,11 +138,6 @@ void Monitoring::learn(Record& record, const TaskEventReceived& event, MissionTi
                        Effects& effects) {
   if (record.board.tasks.learn(event, now))
     effects.emplace_back(TaskChanged{record.board.name, event.task, event.state});
-}
-
-void Monitoring::lose_tasks(Record& record, Effects& effects) {
-  record.messages.clear();
-  effects.emplace_back(UavRestarted{record.board.name, record.board.tasks.lose()});
 }
 
 }  // namespace skein::ground_station

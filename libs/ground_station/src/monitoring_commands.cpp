@@ -9,20 +9,12 @@
 #include "skein/ground_station/monitoring.hpp"
 
 namespace skein::ground_station {
-namespace {
 
 using executive::TaskId;
-
-std::optional<TaskId> task_of(const Request& request) {
-  const auto* abort = std::get_if<executive::Abort>(&request);
-  return abort == nullptr ? started_by(request) : std::optional(abort->id);
-}
-
-}  // namespace
+using Pending = PendingCommands::Pending;
 
 void Monitoring::on(const IssueCommand& input, MissionTime now, Effects& effects) {
-  const CommandNumber number(++last_number_);
-  pending_[number] = {input.uav, input.request, input.expires, input.asked_by, false};
+  const CommandNumber number = commands_.issue(input);
   effects.emplace_back(CommandChanged{number, input.uav, what_of(input.request),
                                       CommandState::kIssued, "", input.asked_by});
   const auto uav = uavs_.find(input.uav);
@@ -30,12 +22,11 @@ void Monitoring::on(const IssueCommand& input, MissionTime now, Effects& effects
     return close(number, CommandState::kRefused, "unknown UAV '" + input.uav + "'", effects);
   }
   uav->second.board.commands_pending += 1;
-  deadlines_.emplace(input.expires + grace_, number);
   if (input.expires <= now) {
     return close(number, CommandState::kExpired, "it had expired before it was issued", effects);
   }
   Record& record = uav->second;
-  const bool waits = (record.change || !record.waiting.empty()) && !input.ahead;
+  const bool waits = (record.change.under_way() || !record.waiting.empty()) && !input.ahead;
   waits ? record.waiting.push_back(number) : send(number, now, effects);
 }
 
@@ -64,9 +55,9 @@ std::vector<std::string> Monitoring::problems_of(const PlayRole& play, MissionTi
 
 // What was accepted may turn out not to make sense only now, since it waited for the degree.
 void Monitoring::send(CommandNumber number, MissionTime now, Effects& effects) {
-  const auto found = pending_.find(number);
-  if (found == pending_.end()) return;
-  const Pending& pending = found->second;
+  const Pending* found = commands_.find(number);
+  if (found == nullptr) return;
+  const Pending& pending = *found;
   if (pending.expires <= now) {
     return close(number, CommandState::kExpired, "it waited for a change of degree", effects);
   }
@@ -78,7 +69,7 @@ void Monitoring::send(CommandNumber number, MissionTime now, Effects& effects) {
   const auto* world = std::get_if<mission::ChangeWorld>(&pending.request);
   if (world != nullptr && world->place) know_place(world->place->name);
   if (const auto* change = std::get_if<mission::ChangeDegree>(&pending.request)) {
-    record.change = Change{number, *change, pending.expires + grace_, std::nullopt};
+    record.change.begin(number, *change, commands_.given_up_at(pending));
   }
   effects.emplace_back(
       SendRequest{number, pending.uav, pending.request, pending.expires, pending.asked_by});
@@ -87,7 +78,7 @@ void Monitoring::send(CommandNumber number, MissionTime now, Effects& effects) {
 // The next change of degree that goes makes the others wait again.
 void Monitoring::on(const ReleaseCommands& input, MissionTime now, Effects& effects) {
   Record* record = find(input.uav, "release of commands", effects);
-  while (record != nullptr && !record->change && !record->waiting.empty()) {
+  while (record != nullptr && !record->change.under_way() && !record->waiting.empty()) {
     const CommandNumber number = record->waiting.front();
     record->waiting.pop_front();
     send(number, now, effects);
@@ -101,93 +92,79 @@ void Monitoring::on(const AbortEverything& input, MissionTime now, Effects& effe
   std::set<TaskId, std::greater<>> ids;
   const std::set<TaskId>& open = record->board.tasks.open();
   ids.insert(open.begin(), open.lower_bound(executive::kFirstBackgroundId));
-  for (const auto& [number, pending] : pending_) {
-    const std::optional<TaskId> id = started_by(pending.request);
-    if (pending.uav == input.uav && id) ids.insert(*id);
-  }
+  ids.merge(commands_.started_for(input.uav));
   for (const TaskId id : ids) {
     on(IssueCommand{input.uav, executive::Abort{id}, input.expires, input.asked_by}, now, effects);
   }
 }
 
 bool Monitoring::is_being_started(const std::string& uav, TaskId task) const {
-  return std::any_of(pending_.begin(), pending_.end(), [&](const auto& entry) {
-    return entry.second.uav == uav && started_by(entry.second.request) == task;
-  });
+  return commands_.started_for(uav).contains(task);
 }
 
 void Monitoring::on(const RequestReplyReceived& input, MissionTime, Effects& effects) {
   const CommandState state = input.accepted ? CommandState::kAcknowledged : CommandState::kRefused;
-  deliver(input.command, effects);
+  if (auto delivered = commands_.deliver(input.command)) {
+    effects.emplace_back(std::move(*delivered));
+  }
   close(input.command, state, input.why, effects);
 }
 
 // Of one that is over, the acknowledgement came after the answer: nothing new.
 void Monitoring::on(const CommandDelivered& input, MissionTime, Effects& effects) {
-  deliver(input.command, effects);
-}
-
-void Monitoring::deliver(CommandNumber number, Effects& effects) {
-  const auto found = pending_.find(number);
-  if (found == pending_.end() || std::exchange(found->second.delivered, true)) return;
-  const Pending& pending = found->second;
-  effects.emplace_back(CommandChanged{number, pending.uav, what_of(pending.request),
-                                      CommandState::kDelivered, "", pending.asked_by,
-                                      task_of(pending.request)});
+  if (auto delivered = commands_.deliver(input.command)) {
+    effects.emplace_back(std::move(*delivered));
+  }
 }
 
 // One that was answered is over.
 void Monitoring::on(const CommandUndelivered& input, MissionTime, Effects& effects) {
-  if (!pending_.contains(input.command)) return;
+  if (commands_.find(input.command) == nullptr) return;
   close(input.command, CommandState::kExpired, "not delivered: no contact in its lifetime",
         effects);
 }
 
 void Monitoring::close(CommandNumber number, CommandState state, const std::string& why,
                        Effects& effects) {
-  const auto found = pending_.find(number);
-  if (found == pending_.end()) {
+  const std::optional<Pending> pending = commands_.take(number);
+  if (!pending) {
     effects.emplace_back(Anomaly{"command " + skein::to_text(number) + " is not pending, yet " +
                                  std::string(to_text(state))});
     return;
   }
-  const Pending pending = std::move(found->second);
-  pending_.erase(found);
-  deadlines_.erase({pending.expires + grace_, number});
-  const auto uav = uavs_.find(pending.uav);
-  effects.emplace_back(CommandChanged{number, pending.uav, what_of(pending.request), state, why,
-                                      pending.asked_by, task_of(pending.request)});
+  effects.emplace_back(changed(number, *pending, state, why));
+  const auto uav = uavs_.find(pending->uav);
   if (uav == uavs_.end()) return;
-  uav->second.board.commands_pending -= 1;
-  const auto* mission = std::get_if<mission::UnitMission>(&pending.request);
+  Record& record = uav->second;
+  record.board.commands_pending -= 1;
+  const auto* mission = std::get_if<mission::UnitMission>(&pending->request);
   if (mission != nullptr && state == CommandState::kRefused) {
-    tell_stage(uav->second, mission->id, MissionStage::kRefused, effects);
+    const auto told = record.missions.stage(pending->uav, mission->id, MissionStage::kRefused);
+    if (told) effects.emplace_back(*told);
   }
-  const auto* message = std::get_if<executive::ProcessMessage>(&pending.request);
+  const auto* message = std::get_if<executive::ProcessMessage>(&pending->request);
   if (message != nullptr && state == CommandState::kAcknowledged) {
-    uav->second.messages.insert(message->message);
+    record.messages.insert(message->message);
   }
-  settle_if_closed(uav->second, number, state, effects);
+  if (record.change.ended(number, state, record.board.degree)) settle(record, effects);
 }
 
 void Monitoring::expire_due(MissionTime now, Effects& effects) {
-  while (!deadlines_.empty() && deadlines_.begin()->first <= now) {
-    close(deadlines_.begin()->second, CommandState::kExpired, "no answer", effects);
+  while (const auto late = commands_.given_up(now)) {
+    close(*late, CommandState::kExpired, "no answer", effects);
   }
   for (auto& [name, record] : uavs_) {
-    if (record.change && record.change->until <= now) settle(record, effects);
+    const auto until = record.change.until();
+    if (until && *until <= now) settle(record, effects);
   }
 }
 
 // What the former life was told and did not answer; what is about a task it took with it is void.
 void Monitoring::send_again(const Record& record, Effects& effects) {
-  std::vector<std::pair<CommandNumber, Pending>> open;
-  for (const auto& [number, pending] : pending_) {
+  for (const auto& [number, pending] : commands_.of(record.board.name)) {
     const bool waits =
         std::find(record.waiting.begin(), record.waiting.end(), number) != record.waiting.end();
-    if (pending.uav == record.board.name && !waits) open.emplace_back(number, pending);
-  }
-  for (const auto& [number, pending] : open) {
+    if (waits) continue;
     const std::optional<TaskId> about = named_by(pending.request);
     const auto task = about ? record.board.tasks.find(*about) : std::nullopt;
     if (task && task->lost) {

@@ -11,7 +11,10 @@
 #include <vector>
 
 #include "skein/ground_orders/messages.hpp"
+#include "skein/ground_station/degree_change.hpp"
 #include "skein/ground_station/mission_checks.hpp"
+#include "skein/ground_station/mission_progress.hpp"
+#include "skein/ground_station/pending_commands.hpp"
 #include "skein/ground_station/plan_interrupted.hpp"
 #include "skein/ground_station/task_board.hpp"
 
@@ -125,29 +128,10 @@ class Monitoring {
   std::set<std::string> messages_of(const std::string& uav) const;
 
  private:
-  struct Pending {
-    std::string uav;
-    Request request;
-    MissionTime expires;
-    std::string asked_by;
-    bool delivered = false;
-  };
-  /// A change of degree that was sent and is not settled.
-  struct Change {
-    CommandNumber command;
-    mission::ChangeDegree wanted;
-    MissionTime until;           ///< then it counts as settled
-    std::optional<Degree> seen;  ///< on plan boards meanwhile
-  };
   struct Record {
     UavOnBoard board;
-    ByteBook told_missions;                ///< a bit for each stage
-    std::optional<MissionTime> degree_at;  ///< time of the last degree told
-    std::optional<MissionTime> goals_at;   ///< time of the goals on the board
-    std::optional<Change> change;
-    /// The last change that expired; it may have been made, and its hand-over be under way.
-    std::optional<mission::ChangeDegree> unanswered;
-    bool tells_again = false;  ///< asked for the degree that it has: its plan comes all the same
+    MissionProgress missions;
+    DegreeChange change;
     std::deque<CommandNumber> waiting;  ///< commands that wait for the change, in order
     std::set<std::string> messages;     ///< that its MLE has processed
     ModelVersions models;               ///< of joint tasks, as the UAV reported
@@ -162,7 +146,6 @@ class Monitoring {
   void on(const PlanBoardReceived& input, MissionTime now, Effects& effects);
   Record* find(const std::string& uav, const char* what, Effects& effects);
   void learn(Record& record, const TaskEventReceived& event, MissionTime now, Effects& effects);
-  void lose_tasks(Record& record, Effects& effects);
 
   // monitoring_commands.cpp
   void on(const IssueCommand& input, MissionTime now, Effects& effects);
@@ -172,7 +155,6 @@ class Monitoring {
   void on(const RequestReplyReceived& input, MissionTime now, Effects& effects);
   void on(const CommandDelivered& input, MissionTime now, Effects& effects);
   void on(const CommandUndelivered& input, MissionTime now, Effects& effects);
-  void deliver(CommandNumber number, Effects& effects);
   void send(CommandNumber number, MissionTime now, Effects& effects);
   void close(CommandNumber number, CommandState state, const std::string& why, Effects& effects);
   Addressee addressee(const Record& record) const;
@@ -185,22 +167,13 @@ class Monitoring {
   void on(const HandOverReceived& input, MissionTime now, Effects& effects);
   void on(const DecisionReceived& input, MissionTime now, Effects& effects);
   void on(const MissionOutcomeReceived& input, MissionTime now, Effects& effects);
-  Degree expected_degree(const Record& record) const;
   void set_degree(Record& record, Degree degree, Effects& effects);
   void settle(Record& record, Effects& effects);
-  void settle_if_closed(Record& record, CommandNumber number, CommandState state, Effects& effects);
-  void take_goals(Record& record, const std::vector<mission::GoalStatus>& goals,
-                  std::optional<MissionTime> at, Effects& effects);
-  void tell_stages(Record& record, Effects& effects);
-  void tell_stage(Record& record, mission::MissionId mission, MissionStage stage, Effects& effects);
 
   std::vector<std::string> order_;  ///< of the board
   std::map<std::string, Record> uavs_;
-  std::map<CommandNumber, Pending> pending_;
-  std::set<std::pair<MissionTime, CommandNumber>> deadlines_;
-  Duration grace_;
+  PendingCommands commands_;
   MissionChecks checks_;
-  std::uint64_t last_number_ = 0;
 };
 
 }  // namespace skein::ground_station
