@@ -15,9 +15,9 @@ TaskId Background::begin() {
   return *task_;
 }
 
-void Background::over(std::optional<MissionTime> retry) {
+void Background::over(bool pauses) {
   task_.reset();
-  if (retry) retry_ = retry;
+  pauses_ = pauses;
 }
 
 // A motion task that is aborting still moves, and an urgent one is about to: the routine waits.
@@ -28,7 +28,7 @@ bool Executive::Core::dispatch_background() {
   const TaskId id = background_.begin();
   const Slot slot = plan_.insert(Task{id, *config_.background_type, {}, {}, {}, {}}, true);
   plan_[slot].resources = {motion_};
-  announce(plan_[slot]);
+  outbox_.event(plan_[slot]);
   dispatch(slot);
   return true;
 }
@@ -40,10 +40,11 @@ void Executive::Core::end_background(const std::string& reason) {
 }
 
 void Executive::Core::retire_background(Slot slot, bool displaced) {
-  std::optional<MissionTime> retry;
-  if (!displaced) retry = now_ + config_.background_retry;
-  background_.over(retry);
-  if (retry) timers_.set(Timer{*retry, Timer::Kind::kBackgroundRetry, TaskId{}});
+  background_.over(!displaced);
+  if (!displaced) {
+    const MissionTime retry = now_ + config_.background_retry;
+    timers_.set(Timer{retry, Timer::Kind::kBackgroundRetry, plan_[slot].id});
+  }
   plan_.remove(slot);
 }
 

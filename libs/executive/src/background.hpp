@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "skein/executive/task_state.hpp"
-#include "skein/foundation/time.hpp"
 #include "skein/functional/task_type.hpp"
 
 namespace skein::executive {
@@ -16,7 +15,7 @@ class Background {
  public:
   /// Whether a routine is to begin: the vehicle flies, none runs, none is to be retried later, and
   /// the executive is not at rest.
-  bool wanted() const { return airborne_ && !resting_ && !task_ && !retry_; }
+  bool wanted() const { return airborne_ && !resting_ && !task_ && !pauses_; }
   std::optional<TaskId> task() const { return task_; }
 
   void flies(bool airborne) { airborne_ = airborne; }
@@ -26,17 +25,16 @@ class Background {
   void rest(bool resting) { resting_ = resting; }
   /// Begins a routine and returns its task id.
   TaskId begin();
-  /// The routine is over. `retry`: if it ended or was refused by itself, the instant before which
-  /// no other begins; absent if another task displaced it.
-  void over(std::optional<MissionTime> retry);
-  bool retries_at(MissionTime at) const { return retry_ == at; }
-  void retry() { retry_.reset(); }
+  /// The routine is over. `pauses`: it ended or was refused by itself, and no other begins before
+  /// retry(); false if another task displaced it.
+  void over(bool pauses);
+  void retry() { pauses_ = false; }
 
  private:
   bool airborne_ = false;
   bool resting_ = false;
   std::optional<TaskId> task_;
-  std::optional<MissionTime> retry_;
+  bool pauses_ = false;
   std::uint64_t count_ = 0;
 };
 

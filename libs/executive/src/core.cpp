@@ -50,8 +50,7 @@ Effects Executive::Core::give_up(TaskId synchronisation, const std::string& why,
 Effects Executive::Core::done() {
   settle();
   conditions_.trim_instants();
-  while (!timers_.empty() && !counts(timers_.first())) timers_.take();
-  return std::exchange(effects_, {});
+  return outbox_.take();
 }
 
 std::optional<MissionTime> Executive::Core::next_wakeup() const {
@@ -77,30 +76,17 @@ void Executive::Core::advance() {
   conditions_.now_is(now_);
 }
 
-// A timer counts while what it was set for lasts and no later one has taken its place.
-bool Executive::Core::counts(const Timer& timer) const {
-  if (timer.kind == Timer::Kind::kBackgroundRetry) return background_.retries_at(timer.at);
-  const std::optional<Slot> slot = plan_.find(timer.id);
-  if (!slot || plan_[*slot].due != timer.at) return false;
-  const TaskRecord& record = plan_[*slot];
-  if (timer.kind == Timer::Kind::kUrgentWait) return record.urgent;
-  if (timer.kind == Timer::Kind::kSyncAgain) return record.state == TaskState::kRunning;
-  return record.state == TaskState::kStarted || record.state == TaskState::kAborting;
-}
-
 void Executive::Core::pass_timer(const Timer& timer) {
-  if (!counts(timer)) return;
   if (timer.kind == Timer::Kind::kBackgroundRetry) {
     background_.retry();
     return;
   }
   const Slot slot = *plan_.find(timer.id);
   TaskRecord& record = plan_[slot];
-  record.due.reset();
   if (timer.kind == Timer::Kind::kUrgentWait) {
-    notice("urgent task " + to_text(timer.id) + " goes after " + to_text(config_.urgent_wait) +
-           " s although " + std::to_string(record.blockers) +
-           " incompatible task(s) are not terminal");
+    outbox_.notice("urgent task " + to_text(timer.id) + " goes after " +
+                   to_text(config_.urgent_wait) + " s although " + std::to_string(record.blockers) +
+                   " incompatible task(s) are not terminal");
     urgents_.force(record, slot);
   } else if (timer.kind == Timer::Kind::kSyncAgain) {
     say(*record.synchronisation, SyncWord::kThere);
@@ -147,7 +133,7 @@ bool Executive::Core::step() {
 void Executive::Core::on(const FunctionalStatus& status) {
   const std::string what = "status '" + std::string(to_text(status.state)) + "' of ";
   const std::optional<Slot> slot = plan_.find(status.id);
-  if (!slot) return notice(what + "unknown task " + to_text(status.id));
+  if (!slot) return outbox_.notice(what + "unknown task " + to_text(status.id));
   TaskRecord& record = plan_[*slot];
   const TaskState from = record.state;
   if (status.state == TaskState::kStarted && from == TaskState::kStarted && !record.synchronisation)
@@ -157,8 +143,8 @@ void Executive::Core::on(const FunctionalStatus& status) {
                     (is_terminal(status.state) ||
                      (status.state == TaskState::kRunning && from == TaskState::kStarted));
   if (!fits) {
-    return notice(what + "task " + to_text(status.id) + ", which is " + std::string(to_text(from)) +
-                  ", does not fit");
+    return outbox_.notice(what + "task " + to_text(status.id) + ", which is " +
+                          std::string(to_text(from)) + ", does not fit");
   }
   const bool counts_as_aborted = from == TaskState::kAborting;
   std::string reason = status.reason;
@@ -181,7 +167,7 @@ void Executive::Core::on(const SyncReceived& message) {
 
 void Executive::Core::on(const PeerReachable& peer) {
   for (const auto& [id, word] : synchroniser_.missed_by(peer.name)) {
-    effects_.push_back(SendSync{id, peer.name, word});
+    outbox_.add(SendSync{id, peer.name, word});
   }
 }
 
@@ -202,7 +188,7 @@ void Executive::Core::on(const Relinquish& request) {
   }
   for (const Slot slot : slots) let_go(slot);
   if (!slots.empty()) {
-    notice(std::to_string(slots.size()) + " task(s) are another executive's from now on");
+    outbox_.notice(std::to_string(slots.size()) + " task(s) are another executive's from now on");
   }
   background_.rest(true);
   end_background("another executive is in charge");

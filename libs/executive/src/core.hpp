@@ -8,6 +8,7 @@
 
 #include "background.hpp"
 #include "conditions.hpp"
+#include "outbox.hpp"
 #include "plan.hpp"
 #include "resource_use.hpp"
 #include "skein/executive/executive.hpp"
@@ -34,7 +35,6 @@ class Executive::Core {
   // core.cpp: time, the loop of spec 2.4, and inputs that are not requests
   void advance();
   void pass_timer(const Timer& timer);
-  bool counts(const Timer& timer) const;
   void settle();
   Effects done();
   bool step();
@@ -53,11 +53,9 @@ class Executive::Core {
   void on(const Suppress& request);
   Slot enter(const Task& task);
   void make_urgent(Slot slot);
-  void reply(RequestKind kind, std::optional<TaskId> id, const std::optional<std::string>& refusal);
 
   // transitions.cpp
   void set_state(Slot slot, TaskState state, const std::string& reason = {});
-  void announce(const TaskRecord& record);
   void make_way_for(const TaskRecord& task);
   void dispatch(Slot slot);
   void run_synchronisation(Slot slot);
@@ -69,7 +67,6 @@ class Executive::Core {
   void retire(Slot slot, bool was_aborting);
   void let_go(Slot slot);
   void expect_answer(TaskRecord& record);
-  void notice(std::string text) { effects_.push_back(Notice{std::move(text)}); }
 
   // background.cpp
   bool dispatch_background();
@@ -78,7 +75,7 @@ class Executive::Core {
 
   Config config_;
   MissionTime now_ = MissionTime::nanoseconds(std::numeric_limits<std::int64_t>::min());
-  Effects effects_;
+  Outbox outbox_;
   Plan plan_;
   Conditions conditions_;
   ResourceUse resources_;
@@ -86,7 +83,6 @@ class Executive::Core {
   Synchroniser synchroniser_;
   Urgents urgents_;
   Background background_;
-  std::uint32_t joint_active_ = 0;
 
   std::uint32_t motion_;  ///< number of the resource kMotion
 };

@@ -31,7 +31,6 @@ struct TaskRecord {
   FormulaState preconditions, exit;
   WatchList watchers;                    ///< literals that name this task
   std::vector<std::uint32_t> resources;  ///< numbers of ResourceUse
-  std::optional<MissionTime> due;        ///< instant of the valid timer: urgent wait or time-out
   std::uint32_t blockers = 0;            ///< number of tasks that this urgent task still waits for
   std::uint32_t place_among_open = 0;
   TaskState state = TaskState::kScheduled;

@@ -59,11 +59,6 @@ std::optional<std::string> refusal_of(const UpdateConditions& request, const Pla
 
 }  // namespace
 
-void Executive::Core::reply(RequestKind kind, std::optional<TaskId> id,
-                            const std::optional<std::string>& refusal) {
-  effects_.push_back(Reply{kind, id, !refusal, refusal.value_or("")});
-}
-
 // --- START ---------------------------------------------------------------------------------------
 
 Plan::Slot Executive::Core::enter(const Task& task) {
@@ -80,11 +75,11 @@ Plan::Slot Executive::Core::enter(const Task& task) {
 void Executive::Core::on(const Start& request) {
   const Task& task = request.task;
   const std::optional<std::string> refusal = refusal_of(request, plan_, config_.types);
-  reply(RequestKind::kStart, task.id, refusal);
+  outbox_.reply(RequestKind::kStart, task.id, refusal);
   if (refusal) return;
   background_.rest(false);
   if (!config_.types.is_declared(task.type)) {
-    notice("type '" + task.type + "' is not declared: it uses no exclusive resource");
+    outbox_.notice("type '" + task.type + "' is not declared: it uses no exclusive resource");
   }
   const std::optional<MissionTime> deadline =
       task.synchronisation ? task.synchronisation->deadline : std::nullopt;
@@ -93,7 +88,7 @@ void Executive::Core::on(const Start& request) {
       conditions_.incoherence(task.id, &preconditions, &task.exit, deadline);
   const Slot slot = enter(task);
   if (incoherence) return set_state(slot, TaskState::kAborted, *incoherence);
-  announce(plan_[slot]);
+  outbox_.event(plan_[slot]);
   plan_[slot].idle = config_.idle_type == task.type && task.exit.empty() &&
                      task.parameters.find("duration") == nullptr;
   plan_[slot].urgent = request.mode == InsertionMode::kVut;
@@ -108,8 +103,7 @@ void Executive::Core::make_urgent(Slot slot) {
   const std::set<TaskId> blockers = resources_.users_of(urgent.resources);
   urgents_.enter(urgent, slot, blockers, urgent.uses(motion_));
   if (blockers.empty()) return;
-  urgent.due = now_ + config_.urgent_wait;
-  timers_.set(Timer{*urgent.due, Timer::Kind::kUrgentWait, urgent.id});
+  timers_.set(Timer{now_ + config_.urgent_wait, Timer::Kind::kUrgentWait, urgent.id});
   for (const TaskId id : blockers) {
     const Slot blocker = *plan_.find(id);
     if (plan_[blocker].state != TaskState::kAborting) {
@@ -126,7 +120,7 @@ void Executive::Core::make_urgent(Slot slot) {
 void Executive::Core::on(const Abort& request) {
   const std::optional<Slot> slot = plan_.find(request.id);
   const bool ours = slot && !plan_[*slot].background;
-  reply(RequestKind::kAbort, request.id, ours ? std::nullopt : not_in_plan(request.id));
+  outbox_.reply(RequestKind::kAbort, request.id, ours ? std::nullopt : not_in_plan(request.id));
   if (!ours) return;
   const TaskState state = plan_[*slot].state;
   if (is_terminal(state) || state == TaskState::kAborting) return;
@@ -135,7 +129,7 @@ void Executive::Core::on(const Abort& request) {
 }
 
 void Executive::Core::on(const ProcessMessage& request) {
-  reply(RequestKind::kProcessMessage, std::nullopt, std::nullopt);
+  outbox_.reply(RequestKind::kProcessMessage, std::nullopt, std::nullopt);
   conditions_.message_received(request.message);
 }
 
@@ -148,7 +142,7 @@ void Executive::Core::on(const Suppress& request) {
     refusal = "task " + to_text(request.id) + " is " + std::string(to_text(plan_[*slot].state)) +
               ", not terminal";
   }
-  reply(RequestKind::kSuppress, request.id, refusal);
+  outbox_.reply(RequestKind::kSuppress, request.id, refusal);
   if (refusal) return;
   if (const auto& synchronisation = plan_[*slot].synchronisation) {
     synchroniser_.forget(request.id, *synchronisation);
@@ -160,7 +154,7 @@ void Executive::Core::on(const Suppress& request) {
 
 void Executive::Core::on(const UpdateConditions& request) {
   const std::optional<std::string> refusal = refusal_of(request, plan_, conditions_);
-  reply(RequestKind::kUpdateConditions, request.id, refusal);
+  outbox_.reply(RequestKind::kUpdateConditions, request.id, refusal);
   if (refusal) return;
   const Slot slot = *plan_.find(request.id);
   if (request.exit) {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <queue>
+#include <unordered_map>
 #include <vector>
 
 #include "skein/executive/task_state.hpp"
@@ -19,28 +20,26 @@ struct Timer {
   enum class Kind : std::uint8_t { kUrgentWait, kTimeout, kBackgroundRetry, kSyncAgain };
   MissionTime at;
   Kind kind = Kind::kTimeout;
-  TaskId id;
+  TaskId id;  ///< of a background retry: the routine that is over
   auto operator<=>(const Timer&) const = default;
 };
 
-/// A queue of timers. Timers are never cancelled: their owner knows whether one is still valid.
+/// A task has one timer at most: another one, or drop(), voids it. Invariant: the first in the
+/// queue is not void. Cost: O(log n) in the timers that were set and have not expired, void ones
+/// included.
 class Timers {
  public:
-  void set(Timer timer) { queue_.push(timer); }
-  std::optional<MissionTime> next() const {
-    if (queue_.empty()) return std::nullopt;
-    return queue_.top().at;
-  }
-  const Timer& first() const { return queue_.top(); }
-  Timer take() {
-    const Timer timer = queue_.top();
-    queue_.pop();
-    return timer;
-  }
-  bool empty() const { return queue_.empty(); }
+  void set(const Timer& timer);
+  void drop(TaskId id);
+  std::optional<MissionTime> next() const;
+  /// The one that expires first. Precondition: next().
+  Timer take();
 
  private:
+  void trim();
+
   std::priority_queue<Timer, std::vector<Timer>, std::greater<>> queue_;
+  std::unordered_map<TaskId, Timer> due_;
 };
 
 }  // namespace skein::executive

@@ -6,26 +6,14 @@
 
 namespace skein::executive {
 
-void Executive::Core::announce(const TaskRecord& record) {
-  TaskEvent event{record.id, record.type, record.state, record.reason, record.cause};
-  const std::uint32_t own = record.joint && is_active(record.state) ? 1 : 0;
-  const bool others_joint = joint_active_ > own;
-  effects_.push_back(event);
-  if (others_joint) effects_.push_back(ForwardToSupervisor{std::move(event)});
-}
-
 // Every transition passes here: the fact changes, then who depends on it is queued.
 void Executive::Core::set_state(Slot slot, TaskState state, const std::string& reason) {
   TaskRecord& record = plan_[slot];
-  const bool was_active = is_active(record.state);
   const bool was_aborting = record.state == TaskState::kAborting;
   record.reason = reason;
-  record.due.reset();
+  timers_.drop(record.id);
   plan_.set_state(slot, state);
-  if (record.joint && was_active != is_active(state)) {
-    was_active ? --joint_active_ : ++joint_active_;
-  }
-  announce(record);
+  outbox_.event(record);
   conditions_.task_changed(slot);
   if (state == TaskState::kEnded) background_.left(config_.types.of(record.type).leaves);
   if (is_terminal(state)) retire(slot, was_aborting);
@@ -49,7 +37,7 @@ void Executive::Core::retire_synchronisation(const TaskRecord& record) {
   const Synchronisation& synchronisation = *record.synchronisation;
   if (record.state == TaskState::kEnded) return synchroniser_.finish(record.id, synchronisation);
   for (const std::string& name : synchroniser_.withdraw(record.id, synchronisation)) {
-    effects_.push_back(SendSync{synchronisation.id, name, SyncWord::kWithdrawn});
+    outbox_.add(SendSync{synchronisation.id, name, SyncWord::kWithdrawn});
   }
 }
 
@@ -57,9 +45,9 @@ void Executive::Core::retire_synchronisation(const TaskRecord& record) {
 void Executive::Core::let_go(Slot slot) {
   TaskRecord& record = plan_[slot];
   const TaskId id = record.id;
-  if (record.joint && is_active(record.state)) --joint_active_;
+  outbox_.let_go(id);
   if (record.urgent) urgents_.let_go(id);
-  record.due.reset();
+  timers_.drop(id);
   // The partners are not told: who has the task now is there for them.
   if (record.synchronisation) synchroniser_.forget(id, *record.synchronisation);
   plan_.set_state(slot, TaskState::kAborted);
@@ -71,8 +59,7 @@ void Executive::Core::let_go(Slot slot) {
 
 void Executive::Core::expect_answer(TaskRecord& record) {
   if (!config_.functional_timeout || record.joint || record.synchronisation) return;
-  record.due = now_ + *config_.functional_timeout;
-  timers_.set(Timer{*record.due, Timer::Kind::kTimeout, record.id});
+  timers_.set(Timer{now_ + *config_.functional_timeout, Timer::Kind::kTimeout, record.id});
 }
 
 // Who performs them keeps the dispatch behind the interruption.
@@ -96,7 +83,7 @@ void Executive::Core::dispatch(Slot slot) {
   resources_.acquire(record.id, record.resources);
   set_state(slot, TaskState::kStarted);
   if (record.synchronisation) return run_synchronisation(slot);
-  effects_.push_back(Dispatch{record.id, record.joint});
+  outbox_.add(Dispatch{record.id, record.joint});
   expect_answer(record);
 }
 
@@ -110,8 +97,9 @@ void Executive::Core::run_synchronisation(Slot slot) {
   say(synchronisation, done && config_.sync_validity ? SyncWord::kDone : SyncWord::kThere);
   if (done) {
     if (synchroniser_.met_before(synchronisation))
-      notice("task " + to_text(record.id) + ": synchronisation " +
-             std::to_string(synchronisation.id) + " is over already, and is not waited for again");
+      outbox_.notice("task " + to_text(record.id) + ": synchronisation " +
+                     std::to_string(synchronisation.id) +
+                     " is over already, and is not waited for again");
     set_state(slot, TaskState::kEnded);
   } else if (config_.sync_validity) {
     say_again_later(slot);
@@ -120,7 +108,7 @@ void Executive::Core::run_synchronisation(Slot slot) {
 
 void Executive::Core::say(const Synchronisation& synchronisation, SyncWord word) {
   for (const std::string& name : synchroniser_.targets(synchronisation)) {
-    effects_.push_back(SendSync{synchronisation.id, name, word});
+    outbox_.add(SendSync{synchronisation.id, name, word});
   }
 }
 
@@ -129,8 +117,8 @@ void Executive::Core::say(const Synchronisation& synchronisation, SyncWord word)
 void Executive::Core::say_again_later(Slot slot) {
   TaskRecord& record = plan_[slot];
   if (synchroniser_.targets(*record.synchronisation).empty()) return;
-  record.due = now_ + Duration::nanoseconds(config_.sync_validity->count() / 2);
-  timers_.set(Timer{*record.due, Timer::Kind::kSyncAgain, record.id});
+  const Duration half = Duration::nanoseconds(config_.sync_validity->count() / 2);
+  timers_.set(Timer{now_ + half, Timer::Kind::kSyncAgain, record.id});
 }
 
 // scheduled           aborted
@@ -148,7 +136,7 @@ void Executive::Core::interrupt(Slot slot, const std::string& reason) {
   TaskRecord& record = plan_[slot];
   set_state(slot, TaskState::kAborting, reason);
   if (record.synchronisation) return set_state(slot, TaskState::kAborted, reason);
-  effects_.push_back(Interrupt{record.id, record.joint});
+  outbox_.add(Interrupt{record.id, record.joint});
   expect_answer(record);
 }
 

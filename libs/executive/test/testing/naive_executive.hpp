@@ -12,6 +12,7 @@
 
 #include "skein/executive/effect.hpp"
 #include "skein/executive/executive.hpp"
+#include "testing/naive_facts.hpp"
 
 namespace skein::executive::testing {
 
@@ -22,14 +23,11 @@ class NaiveExecutive {
   Effects handle(const Input& input, MissionTime now) {
     now_ = now;
     pass_instants();
-    clock_ = now;
+    facts_.time_is(now);
     std::visit([this](const auto& one) { on(one); }, input);
     settle();
     return std::exchange(out_, {});
   }
-
-  /// For laws: is Π (as it now is) satisfied?
-  bool preconditions_hold(TaskId id) const { return holds(tasks_.at(id).pre); }
 
  private:
   struct Entry {
@@ -50,93 +48,9 @@ class NaiveExecutive {
     }
   };
 
-  // --- conditions (2.2) ---
-  static bool reachable(TaskState from, TaskState to) {
-    static const std::map<TaskState, std::set<TaskState>> kNext = {
-        {TaskState::kScheduled, {TaskState::kStarted, TaskState::kAborted}},
-        {TaskState::kStarted,
-         {TaskState::kRunning, TaskState::kAborting, TaskState::kEnded, TaskState::kAborted}},
-        {TaskState::kRunning, {TaskState::kAborting, TaskState::kEnded, TaskState::kAborted}},
-        {TaskState::kAborting, {TaskState::kAborted, TaskState::kEnded}},  // settles nothing yet
-        {TaskState::kEnded, {}},
-        {TaskState::kAborted, {}}};
-    std::set<TaskState> seen;
-    std::vector<TaskState> todo{from};
-    while (!todo.empty()) {
-      const TaskState one = todo.back();
-      todo.pop_back();
-      for (const TaskState next : kNext.at(one)) {
-        if (seen.insert(next).second) todo.push_back(next);
-      }
-    }
-    return seen.count(to) > 0;
-  }
-  bool satisfied(const Condition& c) const {
-    if (const auto* e = std::get_if<TaskInState>(&c)) return tasks_.at(e->task).state == e->state;
-    if (const auto* m = std::get_if<MessageReceived>(&c)) return messages_.count(m->message) > 0;
-    const auto& t = std::get<TimeIs>(c);
-    return t.passed == (clock_ >= t.instant);
-  }
-  bool can_become(const Condition& c) const {
-    if (const auto* e = std::get_if<TaskInState>(&c)) {
-      return reachable(tasks_.at(e->task).state, e->state);
-    }
-    if (std::get_if<MessageReceived>(&c) != nullptr) return true;
-    const auto& t = std::get<TimeIs>(c);
-    return t.passed || clock_ < t.instant;
-  }
-  bool true_for_ever(const Condition& c) const {
-    if (!satisfied(c)) return false;
-    if (const auto* e = std::get_if<TaskInState>(&c)) return is_terminal(e->state);
-    if (std::get_if<MessageReceived>(&c) != nullptr) return true;
-    return std::get<TimeIs>(c).passed;
-  }
-  bool hopeless(const Literal& l) const {
-    if (l.negated) return true_for_ever(l.condition);
-    return !satisfied(l.condition) && !can_become(l.condition);
-  }
-  bool holds(const Literal& l) const {
-    if (hopeless(l)) return l.modality == Modality::kOptional;
-    return satisfied(l.condition) != l.negated;
-  }
-  bool holds(const Formula& f) const {
-    return std::all_of(f.begin(), f.end(), [&](const Clause& clause) {
-      return std::any_of(clause.begin(), clause.end(), [&](const Literal& l) { return holds(l); });
-    });
-  }
-  bool never(const Formula& f) const {
-    return std::any_of(f.begin(), f.end(), [&](const Clause& clause) {
-      return std::all_of(clause.begin(), clause.end(), [&](const Literal& l) {
-        return hopeless(l) && l.modality == Modality::kMandatory;
-      });
-    });
-  }
-  bool exits(const Formula& f) const { return !f.empty() && holds(f); }
   bool late(const Entry& e) const {
     return e.sync() && e.task.synchronisation->deadline &&
-           *e.task.synchronisation->deadline <= clock_;
-  }
-  bool names_only_known(TaskId self, const Formula& f) const {
-    for (const Clause& clause : f) {
-      for (const Literal& l : clause) {
-        const auto* e = std::get_if<TaskInState>(&l.condition);
-        if (e != nullptr && (e->task == self || tasks_.count(e->task) == 0)) return false;
-      }
-    }
-    return true;
-  }
-
-  // A relinquished task counts as aborted for ever to who names it, even if it comes back.
-  Formula settled(Formula f) const {
-    for (Clause& clause : f) {
-      for (Literal& l : clause) {
-        const auto* e = std::get_if<TaskInState>(&l.condition);
-        if (e == nullptr || tasks_.count(e->task) == 0 || !tasks_.at(e->task).relinquished)
-          continue;
-        l.condition = TimeIs{MissionTime::nanoseconds(-1), e->state == TaskState::kAborted};
-      }
-    }
-    return f;
+           *e.task.synchronisation->deadline <= facts_.time();
   }
 
   // --- time ---
@@ -161,12 +75,12 @@ class NaiveExecutive {
         if (e.answer_until) timers.emplace(*e.answer_until, 1, id);
         if (e.again_at) timers.emplace(*e.again_at, 3, id);
       }
-      const auto instant = instants.upper_bound(clock_);
+      const auto instant = instants.upper_bound(facts_.time());
       const bool condition = instant != instants.end() && *instant <= now_;
       const bool timer = !timers.empty() && std::get<0>(*timers.begin()) <= now_;
       if (!condition && !timer) return;
       if (condition && (!timer || *instant <= std::get<0>(*timers.begin()))) {
-        clock_ = *instant;
+        facts_.time_is(*instant);
       } else {
         const auto [at, kind, id] = *timers.begin();
         Entry& e = tasks_.at(id);
@@ -191,15 +105,15 @@ class NaiveExecutive {
   }
   bool step() {
     for (auto& [id, e] : tasks_) {
-      if (e.interruptible() && (exits(e.exit) || late(e))) return stop(e), true;
+      if (e.interruptible() && (facts_.exits(e.exit) || late(e))) return stop(e), true;
     }
     for (auto& [id, e] : tasks_) {
       if (e.waits() && e.urgent && e.blockers.empty()) return dispatch(e), true;
     }
     for (auto& [id, e] : tasks_) {
       if (!e.waits() || e.urgent) continue;
-      if (holds(e.pre)) return dispatch(e), true;
-      if (never(e.pre)) return go(e, TaskState::kAborted), true;
+      if (facts_.holds(e.pre)) return dispatch(e), true;
+      if (facts_.never(e.pre)) return go(e, TaskState::kAborted), true;
     }
     return false;
   }
@@ -207,6 +121,7 @@ class NaiveExecutive {
   // --- transitions ---
   void go(Entry& e, TaskState state) {
     e.state = state;
+    facts_.task_is(e.task.id, state);
     e.answer_until.reset();
     e.again_at.reset();
     if (is_terminal(state)) {
@@ -342,17 +257,19 @@ class NaiveExecutive {
                      s.mode == InsertionMode::kDep ? Modality::kMandatory : Modality::kOptional}});
       }
     }
-    const bool coherent = names_only_known(id, e.pre) && names_only_known(id, e.exit) &&
-                          !never(e.pre) && !exits(e.exit) && !late(e);
+    const bool coherent = facts_.names_only_known(id, e.pre) &&
+                          facts_.names_only_known(id, e.exit) && !facts_.never(e.pre) &&
+                          !facts_.exits(e.exit) && !late(e);
     if (!coherent) {
       e.pre = e.exit = {};
       go(tasks_[id] = e, TaskState::kAborted);
       return;
     }
-    e.pre = settled(e.pre);
-    e.exit = settled(e.exit);
+    e.pre = facts_.settled(e.pre);
+    e.exit = facts_.settled(e.exit);
     e.urgent = s.mode == InsertionMode::kVut;
     Entry& kept = tasks_[id] = e;
+    facts_.task_is(id, e.state);
     tell(kept);
     if (kept.urgent) displace(kept);
   }
@@ -375,20 +292,20 @@ class NaiveExecutive {
   }
   void on(const ProcessMessage& m) {
     reply(RequestKind::kProcessMessage, std::nullopt, true);
-    messages_.insert(m.message);
+    facts_.message(m.message);
   }
   void on(const UpdateConditions& u) {
     Entry* e = in_plan(u.id);
     bool fine = e != nullptr && !is_terminal(e->state);
     if (fine && u.preconditions) {
-      fine = e->waits() && !e->urgent && names_only_known(u.id, *u.preconditions) &&
-             !never(*u.preconditions);
+      fine = e->waits() && !e->urgent && facts_.names_only_known(u.id, *u.preconditions) &&
+             !facts_.never(*u.preconditions);
     }
-    if (fine && u.exit) fine = names_only_known(u.id, *u.exit) && !exits(*u.exit);
+    if (fine && u.exit) fine = facts_.names_only_known(u.id, *u.exit) && !facts_.exits(*u.exit);
     reply(RequestKind::kUpdateConditions, u.id, fine);
     if (!fine) return;
-    if (u.preconditions) e->pre = settled(*u.preconditions);
-    if (u.exit) e->exit = settled(*u.exit);
+    if (u.preconditions) e->pre = facts_.settled(*u.preconditions);
+    if (u.exit) e->exit = facts_.settled(*u.exit);
   }
   void on(const Suppress& s) {
     Entry* e = in_plan(s.id);
@@ -446,6 +363,7 @@ class NaiveExecutive {
       e.task = task;
       e.state = TaskState::kAborted;
       e.suppressed = e.relinquished = true;
+      facts_.relinquish(id);
       for (auto& [other, o] : tasks_) o.blockers.erase(id);
     }
   }
@@ -453,10 +371,10 @@ class NaiveExecutive {
   void on(const Tick&) {}
 
   Config config_;
-  MissionTime now_, clock_ = MissionTime::nanoseconds(-1);
+  MissionTime now_;
+  NaiveFacts facts_;
   Effects out_;
   std::map<TaskId, Entry> tasks_;
-  std::set<std::string> messages_;
   std::map<std::pair<std::uint64_t, std::string>, SyncReceived> heard_;
   std::set<std::pair<std::string, std::uint64_t>> withdrawn_;
 };
