@@ -66,6 +66,9 @@ struct Entry {
   std::optional<MissionTime> running;               ///< since when it is running
   world::Vector3 seen_at = world::Vector3::Zero();  ///< the vehicle's position then [m, ENU]
   std::size_t passed = 0;  ///< way-points reached, after the first, of the motion flown along
+  /// Of a perception along a patrol: how long the vehicle was seen during it, and how long of that
+  /// the device had the zone in view.
+  Duration watched, viewed;
   /// For the flight of a part of a mapping: the way-points, from its last one on, that are left to
   /// the mapping. Empty: the mapping is not planned to go on there.
   std::vector<world::Vector3> beyond = {};

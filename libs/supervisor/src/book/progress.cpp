@@ -72,7 +72,7 @@ class Account {
     }
     const Entry* along = flown_along(book_, entry);
     const Duration looked =
-        along == nullptr ? span.length() : in_view(*along, entry.passed, span.length());
+        along == nullptr ? span.length() : in_view(entry, *along, span.length());
     if (looked > Duration()) done.looks.push_back({device, place_of(entry), looked});
     if (along == nullptr) return;
     const auto& way = along->task.way;
@@ -83,19 +83,21 @@ class Account {
   }
 
   // A patrol is as long as it takes to have its zone in view for the time that was asked for: of a
-  // part of it that much in proportion. One that lasts for longer than it may has waited in its
-  // course, for its air say, and has seen no more by that.
-  Duration in_view(const Entry& patrol, std::size_t passed, Duration lasted) {
+  // part of it what was seen to be in view; of what nobody saw, that much in proportion. One that
+  // lasts for longer than it may has waited in its course, for its air say, and has seen no more
+  // by that.
+  Duration in_view(const Entry& look, const Entry& patrol, Duration lasted) {
     const auto goal = book_.goals.find(patrol.task.origin);
     const auto asked = goal == book_.goals.end() ? std::nullopt : asked_of(goal->second.task);
     const double whole = patrol.task.duration.least.to_seconds();
     if (!asked || whole <= 0) return lasted;
     const bool waited = !patrol.done() && lasted > patrol.task.duration.most;
-    const double most = waited ? part_until(patrol.task.way, passed + 1) : 1;
-    const Duration flown = std::min(lasted, Duration::seconds(most * whole));
+    const double most = waited ? part_until(patrol.task.way, look.passed + 1) : 1;
+    const Duration unwatched = std::max(lasted - look.watched, Duration());
+    const Duration flown = std::min(unwatched, Duration::seconds(most * whole));
     const double missing = std::max(asked->to_seconds() - viewed_.to_seconds(), 0.0);
     const double share = std::min(1.0, missing / whole);
-    Duration viewed = Duration::seconds(share * flown.to_seconds());
+    Duration viewed = look.viewed + Duration::seconds(share * flown.to_seconds());
     if (patrol.done()) viewed = std::max(viewed, std::min(lasted, Duration::seconds(missing)));
     viewed_ = viewed_ + viewed;
     return viewed;

@@ -21,11 +21,13 @@ using world::Vector3;
 
 namespace {
 
-constexpr double kMoves = 0.02;        // [m] in a step of a track: it heads there,
-constexpr double kTurnsNose = 1;       // [m/s] and one that hovers at such a speed
-constexpr double kSteepLook = 0.1;     // [rad] from straight down
-constexpr double kInSight = 0.8;       // of its footprint, from the zone at most
-constexpr double kTurningShare = 0.8;  // of its time a patrol has the zone in sight, at least
+constexpr double kMoves = 0.02;     // [m] in a step of a track: it heads there,
+constexpr double kTurnsNose = 1;    // [m/s] and one that hovers at such a speed
+constexpr double kSteepLook = 0.1;  // [rad] from straight down
+constexpr double kInSight = 0.8;    // of its footprint, from the zone at most
+// Of its time a patrol of one that cannot hover has the zone in sight, at least: what a detection
+// promises (docs/comets-domain.md). What it sees from beyond kInSight is for errors and gusts.
+constexpr double kTurningShare = 0.85;
 constexpr double kOutOfSight = 1.25;   // times as long as it would take with the zone in sight
 constexpr double kLongestPatrol = 6;   // times as long as it would take with the zone in sight
 constexpr double kLeastPatrol = 60;    // [s] planned, of which so much is flown as it takes

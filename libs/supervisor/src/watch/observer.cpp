@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "book/progress.hpp"
-#include "flight/flight_times.hpp"
 #include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::supervisor {
@@ -23,8 +22,6 @@ constexpr Duration kUnseenMost = Duration::milliseconds(3'000);
 constexpr std::int64_t kUnseenPart = 20;  // one of so many
 /// Who is in closed air waits no longer until it tries again to leave: six times a minute.
 constexpr Duration kLeavesAgain = Duration::milliseconds(10'000);
-constexpr double kReachedMargin =
-    2;  // [m] beyond what a vehicle arrives within, between two states
 
 // "ended early by 12 s: it was to end after 100 s"; empty when it is in its time.
 std::string beside(MissionTime at, std::optional<MissionTime> after,
@@ -73,7 +70,8 @@ Observer::Observer(const Rooms& rooms, Duration grace)
       agenda_(rooms.agenda),
       out_(rooms.out),
       book_(rooms.book),
-      grace_(grace) {}
+      grace_(grace),
+      ways_(rooms.beliefs, rooms.book) {}
 
 void Observer::see(const executive::TaskEvent& event) {
   if (event.id >= executive::kFirstBackgroundId) return;
@@ -350,24 +348,12 @@ void Observer::see(const executive::Reply& reply) {
 
 // ---- the vehicle ----
 
-void Observer::follow_ways(const world::Vector3& position) {
-  const double reach =
-      arrival_distance(beliefs_.knowledge().vehicle, beliefs_.world().wind) + kReachedMargin;
-  for (auto& [id, entry] : book_.tasks) {
-    if (!entry.given() || entry.over() || !entry.running) continue;
-    const Entry* along = flown_along(book_, entry);
-    if (along == nullptr || along->over() || !along->running) continue;
-    entry.passed =
-        passed_after(along->task.way, entry.passed, beliefs_.vehicle().position, position, reach);
-  }
-}
-
 void Observer::tell_progress(GoalId id) {
   book_.goals.at(id).done = mission::to_text(progress_of(book_, id, std::nullopt));
 }
 
 std::set<std::string> Observer::see(const VehicleSeen& seen) {
-  follow_ways(seen.state.position);
+  ways_.see(seen.state, now());
   std::set<std::string> newly = beliefs_.see(seen.state, seen.failed, now());
   if (const auto wind = beliefs_.feel_wind()) {
     const auto figure = [](double value) {

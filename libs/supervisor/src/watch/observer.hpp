@@ -8,6 +8,7 @@
 #include "requests/hand_over.hpp"
 #include "watch/contingencies.hpp"
 #include "watch/refusals.hpp"
+#include "watch/way_watch.hpp"
 
 namespace skein::supervisor {
 
@@ -50,7 +51,6 @@ class Observer {
   Duration retry_after(const Loose& loose, const std::string& why);
   void tell_beside_its_times(const Entry& entry, bool ends);
   void tell_progress(GoalId id);
-  void follow_ways(const world::Vector3& position);
   bool was_stopped_in_time(const Entry& entry) const;
   std::string missed(const Entry& entry) const;
   bool follows_lost_task(const Entry& entry) const;
@@ -66,6 +66,7 @@ class Observer {
   Book& book_;
   Duration grace_;
   Refusals refusals_;
+  WayWatch ways_;
   bool led_away_ = false;  ///< an operator's task has moved the vehicle since the plan was made
 };
 

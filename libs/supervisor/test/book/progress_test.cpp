@@ -164,6 +164,63 @@ TEST(SupervisorProgress, OfAPatrolThatWaitedForItsAirIsThatOfTheWayUntilThere) {
   EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), secs(20));
 }
 
+/// As patrolling(), of a zone that the way comes to after 500 m, from where its camera sees it; the
+/// vehicle is seen every second from 10 s on, `speed` [m/s] along the way, until `until`.
+Desk seen_patrolling(double speed, double until) {
+  mission::UnitMission mission = a_mission(1, {701});
+  mission.tasks[0].name = kDetection;
+  mission.tasks[0].arguments = {std::string("Z"), 100.0};
+  Config config = config_for_tests();
+  Knowledge knowledge = *config.knowledge;
+  knowledge.vocabulary.tasks[std::string(kDetection)] = {
+      std::string(kDetection),
+      {mission::ParameterKind::kZone, mission::ParameterKind::kDuration},
+      {}};
+  world::SensorModel& camera = knowledge.vehicle.sensors.front();
+  camera.range = 100;
+  camera.aperture = 0.3;
+  camera.boresight_pitch = -M_PI / 2;
+  config.knowledge = std::make_shared<Knowledge>(knowledge);
+  world::World world = *config.world;
+  world::Zone zone;
+  zone.name = "Z";
+  zone.polygon = {{500, -50}, {900, -50}, {900, 50}, {500, 50}};
+  world.zones = {zone};
+  config.world = std::make_shared<world::World>(world);
+  Desk desk = shooting_along({{0, 0, 40}, {1000, 0, 40}}, mission, config);
+  for (double t = 11; t <= until; ++t) desk.at(t).flies({speed * (t - 10), 0, 40});
+  return desk;
+}
+
+double seconds_looked(Desk& desk) {
+  desk.aborted(100, "engine trouble");
+  desk.aborted_as_asked(101);
+  return desk.repair().base.situation.done.at(GoalId{701}).looked().to_seconds();
+}
+
+// Found by random missions (--anything 987020): of a patrol that began 400 m from its zone 70 s
+// were counted, and 30 s were flown over it.
+TEST(SupervisorProgress, OfAPatrolThatIsSeenToComeToItsZoneIsTheTimeOverIt) {
+  Desk still_coming = seen_patrolling(10, 50), over_it = seen_patrolling(10, 90);
+
+  EXPECT_EQ(seconds_looked(still_coming), 0);
+  EXPECT_NEAR(seconds_looked(over_it), 31, 1.5);
+}
+
+TEST(SupervisorProgress, OfAPatrolThatNobodySeesForAWhileIsThatWhileInProportion) {
+  Desk desk = seen_patrolling(10, 90);  // 31 s over it
+
+  desk.at(150).flies({1400, 0, 40});
+
+  EXPECT_NEAR(seconds_looked(desk), 31 + 60 / 3.0, 1.5);
+}
+
+TEST(SupervisorProgress, OfAPatrolThatWaitsBesideItsZoneIsNothing) {
+  Desk desk = seen_patrolling(0, 500);
+
+  EXPECT_EQ(seconds_looked(desk), 0);
+}
+
 TEST(SupervisorProgress, OfAWayIsFromTheLastWayPointReached) {
   const std::vector<world::Vector3> way{
       {0, 0, 40}, {100, 0, 40}, {100, 30, 40}, {0, 30, 40}, {0, 60, 40}};
