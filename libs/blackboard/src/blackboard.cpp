@@ -58,7 +58,7 @@ std::vector<Incoming> Blackboard::receive(Now now) { return impl_->receive(now);
 
 std::vector<Incoming> Blackboard::act(Now now) { return impl_->act(now); }
 
-bool Blackboard::knows(NodeNumber peer) const { return impl_->peer(peer) != nullptr; }
+bool Blackboard::knows(NodeNumber peer) const { return impl_->directory().find(peer) != nullptr; }
 
 std::size_t Blackboard::channels() const { return impl_->channels(); }
 
@@ -72,11 +72,11 @@ void Blackboard::recall_sent(wire::Sample sample, NodeNumber to, MissionTime at,
 }
 
 void Blackboard::recall_acknowledged(NodeNumber peer, std::uint64_t sequence) {
-  impl_->change(peer, [&](Peer& one) { one.recall_acknowledged(sequence); });
+  impl_->change(peer, [&](Peer& one) { one.session().recall_acknowledged(sequence); });
 }
 
 void Blackboard::recall_given_up(NodeNumber to, std::uint64_t sequence) {
-  impl_->change(to, [&](Peer& one) { one.recall_given_up(sequence); });
+  impl_->change(to, [&](Peer& one) { one.session().recall_given_up(sequence); });
 }
 
 void Blackboard::recall_received(wire::Slot slot, const wire::SampleHeader& header) {
@@ -88,30 +88,31 @@ void Blackboard::recall_reachable(NodeNumber peer, bool reachable) {
 }
 
 bool Blackboard::reachable(NodeNumber peer) const {
-  const Peer* known = impl_->peer(peer);
-  return known != nullptr && known->reachable();
+  const Peer* found = impl_->directory().find(peer);
+  return found != nullptr && found->reachable();
 }
 
 std::size_t Blackboard::unacknowledged(NodeNumber peer) const {
-  const Peer* known = impl_->peer(peer);
-  return known == nullptr ? 0 : known->outgoing().size() + known->outgoing_parts().size();
+  const Peer* found = impl_->directory().find(peer);
+  return found == nullptr ? 0 : found->known().unacknowledged();
 }
 
 std::uint64_t Blackboard::shed(NodeNumber peer) const {
-  const Peer* known = impl_->peer(peer);
-  return known == nullptr || known->limited() == nullptr ? 0 : known->limited()->shed();
+  const Peer* found = impl_->directory().find(peer);
+  return found == nullptr || found->line().limited() == nullptr ? 0
+                                                                : found->line().limited()->shed();
 }
 
 MissionTime Blackboard::latest_heard() const { return impl_->latest_heard(); }
 
 std::uint64_t Blackboard::settled(NodeNumber peer) const {
-  const Peer* known = impl_->peer(peer);
-  return known == nullptr ? 0 : known->outgoing().oldest() - 1;
+  const Peer* found = impl_->directory().find(peer);
+  return found == nullptr ? 0 : found->known().outgoing.oldest() - 1;
 }
 
 std::uint64_t Blackboard::settled_long(NodeNumber peer) const {
-  const Peer* known = impl_->peer(peer);
-  const std::uint64_t last = known == nullptr ? 0 : known->outgoing_parts().settled();
+  const Peer* found = impl_->directory().find(peer);
+  const std::uint64_t last = found == nullptr ? 0 : found->known().parts_out.settled();
   return last < kFirstLongEvent ? 0 : last;
 }
 

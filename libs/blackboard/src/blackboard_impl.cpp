@@ -11,23 +11,8 @@
 namespace skein::blackboard {
 namespace {
 
-/// "tasks[12].state" -> "tasks[].state": one kind, whatever the element.
-std::string without_indices(const std::string& field) {
-  std::string kind;
-  bool inside = false;
-  for (const char c : field) {
-    if (c == ']') inside = false;
-    if (!inside) kind.push_back(c);
-    if (c == '[') inside = true;
-  }
-  return kind;
-}
-
 /// After its last instant that an event has expired.
 constexpr Duration kTold = Duration::milliseconds(1);
-
-/// How many states, streams and world events a life may send: two to the power of this.
-constexpr int kBitsOfALife = 40;
 
 bool is_event(wire::Slot slot) { return wire::slot_class(slot) == wire::SlotClass::kEvent; }
 
@@ -48,14 +33,6 @@ std::optional<wire::Violation> header_violation(const wire::SampleHeader& header
   return std::nullopt;
 }
 
-/// The peer that is the origin, which may be another than the channel's; null: the origin is none.
-Peer* speaker(Peers& peers, Peer* of_channel, const wire::SampleHeader& header) {
-  if (of_channel != nullptr && of_channel->channels().number.value() == header.origin)
-    return of_channel;
-  const auto found = peers.find(NodeNumber(header.origin));
-  return found == peers.end() ? nullptr : &found->second;
-}
-
 }  // namespace
 
 Blackboard::Impl::Impl(Config config, Transport& transport)
@@ -63,11 +40,10 @@ Blackboard::Impl::Impl(Config config, Transport& transport)
       transport_(transport),
       connections_(transport, config_.channels, config_.heartbeat_period),
       losses_(config_.seed, "blackboard/losses/" + to_text(config_.self)),
-      no_session_(config_),
-      sequence_(std::uint64_t{config_.life} << kBitsOfALife),
-      pulse_(sequence_),
-      publishers_(config_),
-      incarnation_(config_.incarnation) {
+      directory_(config_, transport),
+      signature_(config_),
+      pulse_(signature_.last_number()),
+      publishers_(config_) {
   SKEIN_EXPECTS(config_.self != kEverybody);
   SKEIN_EXPECTS(config_.incarnation > 0);
   SKEIN_EXPECTS(config_.heartbeat_period > Duration{});
@@ -76,84 +52,15 @@ Blackboard::Impl::Impl(Config config, Transport& transport)
 }
 
 Result<void, Failure> Blackboard::Impl::open() {
-  for (std::size_t i = 0; i < config_.channels.size(); ++i) {
-    if (auto added = add_channel(i); !added) return added;
-  }
-  for (const ChannelConfig& channel : config_.channels) {
-    const auto found = peers_.find(channel.from);
-    senders_.push_back(found == peers_.end() ? nullptr : &found->second);
-  }
+  if (auto opened = directory_.open(); !opened) return opened;
+  const auto world = directory_.world();
+  if (world && config_.channels[*world].carries(wire::Slot::kHeartbeat)) pulse_.begin();
   return transport_.open({config_.self, config_.channels, config_.world_reads});
-}
-
-Result<void, Failure> Blackboard::Impl::add_channel(std::size_t index) {
-  const ChannelConfig& channel = config_.channels[index];
-  if (channel.kind == ChannelKind::kWorld) {
-    if (world_) return failure("two world channels");
-    world_ = index;
-    if (channel.carries(wire::Slot::kHeartbeat)) pulse_.begin();
-    return {};
-  }
-  if (channel.to == config_.self) return {};  // found from the other direction
-  if (channel.from != config_.self) {
-    return failure("channel " + channel.partition + " neither starts nor ends at this node");
-  }
-  const auto back = std::ranges::find_if(config_.channels, [&](const ChannelConfig& other) {
-    return other.kind == channel.kind && other.from == channel.to && other.to == channel.from;
-  });
-  if (back == config_.channels.end()) return failure("no channel back for " + channel.partition);
-  const auto incoming = static_cast<std::size_t>(back - config_.channels.begin());
-  const PeerChannels channels{channel.to, channel.kind, index, incoming};
-  const auto [added, fresh] = peers_.try_emplace(channel.to, channels, config_, no_session_);
-  if (!fresh) return failure("two channels to node " + to_text(channel.to));
-  plan(added->second);
-  return {};
-}
-
-Peer* Blackboard::Impl::met(NodeNumber number, Now now) {
-  const auto known = peers_.find(number);
-  if (known != peers_.end()) return &known->second;
-  if (!config_.channels_with || number == config_.self) return nullptr;
-  const std::vector<ChannelConfig> added = config_.channels_with(number);
-  if (added.empty()) return nullptr;
-  const std::size_t first = config_.channels.size();
-  for (const ChannelConfig& channel : added) {
-    const auto index = transport_.add(channel);
-    SKEIN_ENSURES(index == config_.channels.size());
-    config_.channels.push_back(channel);
-  }
-  for (std::size_t i = first; i < config_.channels.size(); ++i)
-    SKEIN_ENSURES(add_channel(i).has_value());
-  Peer& peer = peers_.at(number);
-  for (const ChannelConfig& channel : added)
-    senders_.push_back(channel.from == number ? &peer : nullptr);
-  const ChannelCondition down{.up = false, .latency = {}};
-  peer.set_outgoing(down, now);
-  peer.set_incoming(down);
-  plan(peer);
-  return &peer;
-}
-
-const Peer* Blackboard::Impl::peer(NodeNumber number) const {
-  const auto found = peers_.find(number);
-  return found == peers_.end() ? nullptr : &found->second;
-}
-
-void Blackboard::Impl::stamp(wire::SampleHeader& header, NodeNumber to, std::uint64_t sequence,
-                             Now now) const {
-  header.origin = config_.self.value();
-  header.destination = to.value();
-  const auto found = config_.guesses_incarnation ? peers_.find(to) : peers_.end();
-  header.incarnation = found == peers_.end() ? incarnation_ : found->second.self_incarnation();
-  header.sequence_number = sequence;
-  header.mission_time = now.mission.count();
-  header.expires = wire::kNever;
-  header.mission = config_.mission;
 }
 
 Result<std::uint64_t, Refusal> Blackboard::Impl::send(wire::Sample sample, NodeNumber to, Now now,
                                                       SendOptions options) {
-  Peer* found = met(to, now);
+  Peer* found = directory_.meet(to, now);
   const wire::Slot slot = wire::slot_of(sample);
   if (found == nullptr || !config_.channels[found->channels().outgoing].originates(slot)) {
     return tl::unexpected(Refusal::kNoChannel);
@@ -161,42 +68,35 @@ Result<std::uint64_t, Refusal> Blackboard::Impl::send(wire::Sample sample, NodeN
   if (wire::find_violation(sample)) return tl::unexpected(Refusal::kMalformed);
   Peer& peer = *found;
   if (is_event(slot)) return send_event(peer, std::move(sample), now, options);
-  stamp(wire::header_of(sample), to, ++sequence_, now);
-  const std::uint64_t sequence_of_value = sequence_;
+  const std::uint64_t sequence = signature_.sign(wire::header_of(sample), peer, now);
   send_value(peer, std::move(sample), now);
-  return sequence_of_value;
+  return sequence;
 }
 
 Result<std::uint64_t, Refusal> Blackboard::Impl::send_event(Peer& peer, wire::Sample event, Now now,
                                                             SendOptions options) {
-  if (!peer.has_room_for(event)) return tl::unexpected(Refusal::kFull);
-  if (peer.is_long(event) && encoded_size(event) > IncomingParts::kLongest)
+  const bool is_long = peer.line().is_long_event(event);
+  if (peer.known().full(is_long)) return tl::unexpected(Refusal::kFull);
+  if (is_long && encoded_size(event) > IncomingParts::kLongest)
     return tl::unexpected(Refusal::kTooLong);
-  address(event, peer, options.expires, now);
+  signature_.sign_event(event, peer, options.expires, now);
   const std::uint64_t sequence = wire::header_of(event).sequence_number;
-  peer.hold(std::move(event), options.receipt);
+  peer.session().hold(std::move(event), options.receipt);
   write_due_events(peer, now);
-  plan(peer);
+  directory_.plan(peer);
   return sequence;
-}
-
-void Blackboard::Impl::address(wire::Sample& event, const Peer& peer, MissionTime expires,
-                               Now now) const {
-  wire::SampleHeader& header = wire::header_of(event);
-  stamp(header, peer.channels().number, peer.next_number(event), now);
-  header.expires = expiry_of(wire::slot_of(event), config_.lifespans, now.mission, expires).count();
 }
 
 void Blackboard::Impl::write_due_events(Peer& peer, Now now) {
   const NodeNumber to = peer.channels().number;
   const bool relayed = is_relayed(to);
-  if (!relayed && peer.limited() != nullptr) return write_in_turn(peer, now);
+  if (!relayed && peer.line().limited() != nullptr) return write_in_turn(peer, now);
   const auto write_one = [&](const wire::Sample& sample) {
     relayed ? send_on(to, sample, now) : write(peer.channels().outgoing, sample);
   };
   for (const wire::Sample* event : peer.take_due_events(now)) write_one(*event);
   while (auto part = peer.take_part(now)) {
-    stamp(part->header, to, ++sequence_, now);
+    signature_.sign(part->header, peer, now);
     write_one(*part);
   }
 }
@@ -205,7 +105,7 @@ void Blackboard::Impl::write_in_turn(Peer& peer, Now now) {
   while (auto next = peer.take_next(now)) {
     wire::SampleHeader& header = wire::header_of(*next);
     if (header.origin == 0) {
-      stamp(header, peer.channels().number, ++sequence_, now);
+      signature_.sign(header, peer, now);
       const auto* heartbeat = std::get_if<wire::Heartbeat>(&*next);
       if (heartbeat != nullptr) send_past_relays(*heartbeat, now);
     }
@@ -214,38 +114,39 @@ void Blackboard::Impl::write_in_turn(Peer& peer, Now now) {
 }
 
 Result<std::uint64_t, Refusal> Blackboard::Impl::publish(wire::Sample sample, Now now) {
-  if (!world_ || !config_.channels[*world_].carries(wire::slot_of(sample))) {
+  if (!directory_.world() ||
+      !config_.channels[*directory_.world()].carries(wire::slot_of(sample))) {
     return tl::unexpected(Refusal::kNoChannel);
   }
   if (wire::find_violation(sample)) return tl::unexpected(Refusal::kMalformed);
-  stamp(wire::header_of(sample), kEverybody, ++sequence_, now);
+  const std::uint64_t sequence = signature_.sign_published(wire::header_of(sample), now);
   const wire::Slot slot = wire::slot_of(sample);
   if (config_.guesses_incarnation && wire::slot_class(slot) == wire::SlotClass::kState)
     own_states_.insert_or_assign(OwnStateKey{kEverybody, slot, wire::header_of(sample).instance},
                                  sample);
-  write(*world_, sample);
-  return sequence_;
+  write(*directory_.world(), sample);
+  return sequence;
 }
 
 void Blackboard::Impl::recall_sent(wire::Sample sample, NodeNumber to, MissionTime at,
                                    SendOptions options) {
   const wire::Slot slot = wire::slot_of(sample);
-  Peer* found = is_event(slot) ? met(to, {at, {}}) : nullptr;
+  Peer* found = is_event(slot) ? directory_.meet(to, {at, {}}) : nullptr;
   if (found == nullptr) return;
   if (!config_.channels[found->channels().outgoing].originates(slot) ||
       wire::find_violation(sample))
     return;
   Peer& peer = *found;
-  address(sample, peer, options.expires, {at, {}});
+  signature_.sign_event(sample, peer, options.expires, {at, {}});
   peer.recall_sent(std::move(sample), options.receipt);
-  plan(peer);
+  directory_.plan(peer);
 }
 
 void Blackboard::Impl::recall_received(wire::Slot slot, const wire::SampleHeader& header) {
-  Peer* found = met(NodeNumber(header.origin), {});
+  Peer* found = directory_.meet(NodeNumber(header.origin), {});
   if (found == nullptr) return;
   if (is_event(slot)) {
-    found->recall_received(header);
+    found->session().recall_received(header);
   } else if (slot != wire::Slot::kHeartbeat) {
     freshness_.admit(slot, header);
   }
@@ -256,57 +157,53 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
   const bool outgoing = from == config_.self;
   if (!outgoing && to != config_.self) return;
   const NodeNumber number = outgoing ? to : from;
-  if (!condition.up && !peers_.contains(number)) return;
-  Peer* found = met(number, now);
+  if (!condition.up && directory_.find(number) == nullptr) return;
+  Peer* found = directory_.meet(number, now);
   if (found == nullptr) return;
   Peer& peer = *found;
   if (outgoing) {
-    const bool changes = condition.up != peer.outgoing_condition().up;
+    const bool changes = condition.up != peer.line().outgoing().up;
     if (changes && !condition.up) {
       connections_.set_up(peer.channels().outgoing, false, now.steady, out_);
     }
     const auto let_go = [&] {
       for (const wire::Sample& state : peer.let_go()) write(peer.channels().outgoing, state);
     };
-    if (peer.limited() != nullptr && condition.up && condition.capacity <= 0) let_go();
+    if (peer.line().limited() != nullptr && condition.up && condition.capacity <= 0) let_go();
     peer.set_outgoing(condition, now);
     if (changes && condition.up) {
       connections_.set_up(peer.channels().outgoing, true, now.steady, out_);
     }
-    if (condition.up && peer.limited() == nullptr) let_go();
+    if (condition.up && peer.line().limited() == nullptr) let_go();
     serve(peer, now);
   } else {
-    const bool changes = condition.up != peer.incoming_condition().up;
-    if (peer.incoming_condition().capacity > 0 && !condition.up)
+    const bool changes = condition.up != peer.line().incoming().up;
+    if (peer.line().incoming().capacity > 0 && !condition.up)
       delayed_.cut(peer.channels().incoming, now.steady);
     peer.set_incoming(condition);
     if (changes) connections_.set_up(peer.channels().incoming, condition.up, now.steady, out_);
-    plan(peer);
+    directory_.plan(peer);
   }
 }
 
 void Blackboard::Impl::serve(Peer& peer, Now now) {
   write_due_events(peer, now);
-  const bool takes_turns = peer.limited() != nullptr && peer.outgoing_condition().up;
+  const bool takes_turns = peer.line().limited() != nullptr && peer.line().outgoing().up;
   if (takes_turns) write_in_turn(peer, now);
   if (!takes_turns && peer.heartbeat_due(now.steady)) {
     wire::Heartbeat heartbeat = peer.take_heartbeat(now.steady);
-    stamp(heartbeat.header, peer.channels().number, ++sequence_, now);
-    if (peer.outgoing_condition().up) write(peer.channels().outgoing, heartbeat);
+    signature_.sign(heartbeat.header, peer, now);
+    if (peer.line().outgoing().up) write(peer.channels().outgoing, heartbeat);
     send_past_relays(heartbeat, now);
   }
-  plan(peer);
+  directory_.plan(peer);
 }
 
 void Blackboard::Impl::change(NodeNumber number, const std::function<void(Peer&)>& change) {
-  Peer* found = met(number, {});
+  Peer* found = directory_.meet(number, {});
   if (found == nullptr) return;
   change(*found);
-  plan(*found);
-}
-
-void Blackboard::Impl::plan(const Peer& peer) {
-  agenda_.set(peer.channels().number, peer.next_wakeup(), peer.first_expiry());
+  directory_.plan(*found);
 }
 
 std::optional<Duration> Blackboard::Impl::next_wakeup() const {
@@ -314,7 +211,7 @@ std::optional<Duration> Blackboard::Impl::next_wakeup() const {
   const auto sooner = [&](std::optional<Duration> due) {
     if (due && (!next || *due < *next)) next = due;
   };
-  sooner(agenda_.next_due());
+  sooner(directory_.agenda().next_due());
   sooner(connections_.next_due());
   sooner(pulse_.next());
   if (forwarding_) sooner(forwarding_->next_wakeup());
@@ -322,22 +219,22 @@ std::optional<Duration> Blackboard::Impl::next_wakeup() const {
 }
 
 std::optional<MissionTime> Blackboard::Impl::next_expiry() const {
-  const auto first = agenda_.next_expiry();
+  const auto first = directory_.agenda().next_expiry();
   if (!first) return std::nullopt;
   return *first + kTold;
 }
 
 void Blackboard::Impl::arrive(Arrival&& arrival, Now now) {
   if (const auto* malformed = std::get_if<Malformed>(&arrival.content)) {
-    refuse(malformed->slot, malformed->header, malformed->violation);
+    drops_.tell(malformed->slot, malformed->header, malformed->violation, out_);
     refuse_event(arrival.channel, malformed->slot, malformed->header, now);
     return;
   }
   auto& sample = std::get<wire::Sample>(arrival.content);
   if (wire::header_of(sample).origin == config_.self.value()) return;  // shared partition: our own
-  const Peer* from = senders_[arrival.channel];
+  const Peer* from = directory_.over(arrival.channel);
   if (from == nullptr) return admit(arrival.channel, std::move(sample), now);
-  const ChannelCondition& condition = from->incoming_condition();
+  const ChannelCondition& condition = from->line().incoming();
   if (wire::slot_class(wire::slot_of(sample)) == wire::SlotClass::kStream && condition.loss > 0 &&
       losses_.chance(condition.loss)) {
     return;
@@ -356,21 +253,21 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample&& sample, Now now
   const ChannelConfig& config = config_.channels[channel];
   const bool world = config.kind == ChannelKind::kWorld;
   if (!violation && !world) {
-    violation =
-        routing::path_violation({config_, peers_, forwarding_.has_value()}, config, slot, header);
+    violation = routing::path_violation({config_, directory_.all(), forwarding_.has_value()},
+                                        config, slot, header);
   }
   if (violation) {
-    refuse(slot, header, *violation);
+    drops_.tell(slot, header, *violation, out_);
     return refuse_event(channel, slot, header, now);
   }
   if (is_back(slot, header, config_.self)) return;
-  Peer* origin = speaker(peers_, senders_[channel], header);
+  Peer* origin = directory_.origin(channel, header);
   if (origin != nullptr && origin->refuses(header.incarnation, now.steady))
-    return refuse(wire::Slot::kHeartbeat, header, kOfSecond);
+    return drops_.tell(wire::Slot::kHeartbeat, header, kOfSecond, out_);
   if (header.destination != 0 && header.destination != config_.self.value()) {
     if (!forwarding_) return;
     if (auto next = forwarding_->pass_on(config, std::move(sample)))
-      hand_to(peers_.at(next->hop), std::move(next->sample), now);
+      hand_to(directory_.at(next->hop), std::move(next->sample), now);
     return;
   }
   latest_heard_ = std::max(latest_heard_, MissionTime::nanoseconds(header.mission_time));
@@ -384,9 +281,10 @@ void Blackboard::Impl::admit_from_peer(std::size_t channel, Peer& peer, wire::Sa
   const wire::SampleHeader header = wire::header_of(sample);
   if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample))
     return admit_heartbeat(channel, peer, *heartbeat, now);
-  if (header.incarnation < peer.incarnation() && !peer.lives().is_former(header.incarnation))
-    return peer.has_older_rival() ? refuse(wire::Slot::kHeartbeat, header, kOfOlderSecond)
-                                  : note_replay(channel, slot, header);
+  if (header.incarnation < peer.incarnation() && !peer.known().lives.is_former(header.incarnation))
+    return peer.known().lives.has_older_rival()
+               ? drops_.tell(wire::Slot::kHeartbeat, header, kOfOlderSecond, out_)
+               : note_replay(channel, slot, header);
   if (header.incarnation < peer.incarnation() && !is_event(slot)) return;
   const Novelty novelty = is_event(slot) ? peer.on_event(header, std::move(sample), now, out_)
                                          : freshness_.admit(slot, header);
@@ -407,40 +305,31 @@ void Blackboard::Impl::admit_heartbeat(std::size_t channel, Peer& peer,
                                        const wire::Heartbeat& heartbeat, Now now) {
   const ChannelConfig& over = config_.channels[channel];
   compare_lives(peer, heartbeat, now);
-  const Novelty novelty = peer.note(heartbeat);
+  const Novelty novelty = peer.session().lives.note(heartbeat);
   if (novelty == Novelty::kReplayed)
     return note_replay(channel, wire::Slot::kHeartbeat, heartbeat.header);
   if (novelty == Novelty::kKnown) return;
   if (forwarding_ && heartbeat.header.via.empty() && over.kind == ChannelKind::kRadio)
     forwarding_->on_heartbeat(over.from, now.steady);
   const std::uint64_t before = peer.incarnation();
-  const bool was_refused = peer.lives().was_refused(heartbeat.header.incarnation);
+  const bool was_refused = peer.known().lives.was_refused(heartbeat.header.incarnation);
   peer.on_heartbeat(heartbeat, now, out_);
   const bool is_first_again = peer.incarnation() < before;
   if (is_first_again) {  // of two processes with its number
-    refuse(wire::Slot::kHeartbeat, heartbeat.header, kOfSecond);
+    drops_.tell(wire::Slot::kHeartbeat, heartbeat.header, kOfSecond, out_);
     freshness_.return_to(heartbeat.header.origin, peer.incarnation());
     if (forwarding_) forwarding_->forget(peer.channels().number);
   }
-  if ((is_first_again || was_refused) && peer.incoming_condition().up)
+  if ((is_first_again || was_refused) && peer.line().incoming().up)
     connections_.set_up_anew(peer.channels().incoming, now.steady, out_);
   hear(peer);
-}
-
-void Blackboard::Impl::refuse(wire::Slot slot, const wire::SampleHeader& header,
-                              const wire::Violation& violation) {
-  const NodeNumber origin(header.origin);
-  const DropKey kind{slot, origin, without_indices(violation.field)};
-  const auto count = drops_.count(kind);
-  out_.emplace_back(Dropped{slot, origin, violation.field, violation.why + count.value_or(""),
-                            count.has_value()});
 }
 
 /// A malformed event still has its place in the sequence: what follows it must not wait.
 void Blackboard::Impl::refuse_event(std::size_t channel, wire::Slot slot,
                                     const wire::SampleHeader& header, Now now) {
   if (!is_event(slot) || header_violation(header)) return;
-  Peer* from = senders_[channel];
+  Peer* from = directory_.over(channel);
   if (from == nullptr || header.origin != from->channels().number.value()) return;
   if (!header.via.empty()) return;
   if (header.destination != config_.self.value()) return;
@@ -450,16 +339,17 @@ void Blackboard::Impl::refuse_event(std::size_t channel, wire::Slot slot,
 
 void Blackboard::Impl::show_life(std::size_t channel, const wire::SampleHeader& header, Now now) {
   const ChannelConfig& over = config_.channels[channel];
-  if (over.from.value() != header.origin || !header.via.empty() || senders_[channel] == nullptr)
+  if (over.from.value() != header.origin || !header.via.empty() ||
+      directory_.over(channel) == nullptr)
     return;
-  senders_[channel]->on_sign_of_life(header.incarnation, now.steady);
+  directory_.over(channel)->on_sign_of_life(header.incarnation, now.steady);
   if (forwarding_ && over.kind == ChannelKind::kRadio)
     forwarding_->on_sign_of_life(over.from, now.steady);
 }
 
 void Blackboard::Impl::hear(Peer& peer) {
   if (heard_.empty() || heard_.back() != &peer) heard_.push_back(&peer);
-  plan(peer);
+  directory_.plan(peer);
 }
 
 }  // namespace skein::blackboard

@@ -9,17 +9,17 @@
 #include <tuple>
 #include <vector>
 
-#include "agenda.hpp"
 #include "connections.hpp"
 #include "delays.hpp"
+#include "directory.hpp"
+#include "drops.hpp"
 #include "freshness.hpp"
-#include "peer.hpp"
 #include "publishers.hpp"
 #include "pulse.hpp"
 #include "routing/forwarding.hpp"
+#include "signature.hpp"
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/foundation/random.hpp"
-#include "skein/foundation/tally.hpp"
 
 namespace skein::blackboard {
 
@@ -48,18 +48,11 @@ class Blackboard::Impl {
   /// Applies `change` to a peer, as it was in a former life, and updates its due times. No effect
   /// for nodes that are no peers.
   void change(NodeNumber number, const std::function<void(Peer&)>& change);
-  const Peer* peer(NodeNumber number) const;
+  const Directory& directory() const { return directory_; }
   std::size_t channels() const { return config_.channels.size(); }
   MissionTime latest_heard() const { return latest_heard_; }
 
  private:
-  Result<void, Failure> add_channel(std::size_t index);
-  /// The peer with this number, whose channels are added if there are none yet (see
-  /// Config::channels_with); null: it is no peer.
-  Peer* met(NodeNumber number, Now now);
-  void stamp(wire::SampleHeader& header, NodeNumber to, std::uint64_t sequence, Now now) const;
-  /// Gives an event its header.
-  void address(wire::Sample& event, const Peer& peer, MissionTime expires, Now now) const;
   void write(std::size_t channel, const wire::Sample& sample) {
     connections_.write(channel, sample, out_);
   }
@@ -73,7 +66,6 @@ class Blackboard::Impl {
   void admit_part(std::size_t channel, Peer& peer, const wire::Part& part, Now now);
   Result<std::uint64_t, Refusal> send_event(Peer& peer, wire::Sample event, Now now,
                                             SendOptions options);
-  void refuse(wire::Slot slot, const wire::SampleHeader& header, const wire::Violation& violation);
   void refuse_event(std::size_t channel, wire::Slot slot, const wire::SampleHeader& header,
                     Now now);
   void serve(Peer& peer, Now now);
@@ -105,29 +97,21 @@ class Blackboard::Impl {
   void route(Now now);
   void take_way(const routing::WayChange& change, Now now);
 
-  /// To be called after each change of a peer.
-  void plan(const Peer& peer);
-
   /// Destination, slot, instance.
   using OwnStateKey = std::tuple<NodeNumber, wire::Slot, std::uint32_t>;
-  using DropKey = std::tuple<wire::Slot, NodeNumber, std::string>;
 
   Config config_;
   Transport& transport_;
   Connections connections_;
   Random losses_;
-  Peer::Session no_session_;  ///< with whom nothing has passed yet
-  Peers peers_;
-  std::vector<Peer*> senders_;  ///< by channel; null where there is no peer
-  Agenda agenda_;               ///< of the peers
-  std::vector<Peer*> heard_;    ///< heard since the last step began; may contain duplicates
-  std::optional<std::size_t> world_;
-  std::uint64_t sequence_;  ///< of states, streams and world events
-  Pulse pulse_;             ///< on the world channel
+  Directory directory_;
+  std::vector<Peer*> heard_;  ///< heard since the last step began; may contain duplicates
+  Signature signature_;
+  Pulse pulse_;  ///< on the world channel
   Publishers publishers_;
   Freshness freshness_;
   Delays delayed_;
-  Tally<DropKey> drops_{256};  ///< bounds the log lines about malformed samples
+  Drops drops_;
   /// What came from peers in the same moment as words about links: those hold first.
   std::vector<Arrival> behind_links_;
   std::vector<Incoming> out_;
@@ -136,7 +120,6 @@ class Blackboard::Impl {
   /// The last states sent; kept only if there are relays or the incarnation is a guess. Those of
   /// the world channel have the destination kEverybody.
   std::map<OwnStateKey, wire::Sample> own_states_;
-  std::uint64_t incarnation_;  ///< on the world channel: the greatest told to any peer
   std::set<NodeNumber> takers_for_older_;
 };
 

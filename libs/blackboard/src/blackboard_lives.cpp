@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which life of this node its peers take it for, where it can only guess; two processes with the
 // number of one node, also on the world channel.
-#include <algorithm>
 #include <limits>
 
 #include "blackboard_impl.hpp"
@@ -10,9 +9,10 @@ namespace skein::blackboard {
 
 void Blackboard::Impl::compare_lives(Peer& peer, const wire::Heartbeat& heartbeat, Now now) {
   if (heartbeat.header.incarnation < peer.incarnation()) {
-    if (peer.lives().is_former(heartbeat.header.incarnation)) return;
+    if (peer.known().lives.is_former(heartbeat.header.incarnation)) return;
     peer.on_old_heartbeat();
-    if (peer.has_older_rival()) refuse(wire::Slot::kHeartbeat, heartbeat.header, kOfOlderSecond);
+    if (peer.known().lives.has_older_rival())
+      drops_.tell(wire::Slot::kHeartbeat, heartbeat.header, kOfOlderSecond, out_);
     return;
   }
   const std::uint64_t heard = heartbeat.ack_incarnation;
@@ -40,7 +40,7 @@ void Blackboard::Impl::admit_published(const Peer* peer, wire::Sample&& sample, 
   }
   const auto refused = heartbeat != nullptr ? publishers_.hear(*heartbeat, now.steady, out_)
                                             : publishers_.take(std::move(sample), now.steady, out_);
-  if (refused) refuse(wire::Slot::kHeartbeat, header, *refused);
+  if (refused) drops_.tell(wire::Slot::kHeartbeat, header, *refused, out_);
 }
 
 // With relays a sample may be overtaken by others that go another way.
@@ -48,24 +48,22 @@ void Blackboard::Impl::note_replay(std::size_t channel, wire::Slot slot,
                                    const wire::SampleHeader& header) {
   const bool is_direct = config_.channels[channel].from.value() == header.origin;
   if (forwarding_ || !is_direct || !header.via.empty()) return;
-  refuse(slot, header, {"header.sequence_number", "is of a sample that was replayed"});
+  drops_.tell(slot, header, {"header.sequence_number", "is of a sample that was replayed"}, out_);
 }
 
 void Blackboard::Impl::become(Peer& peer, std::uint64_t incarnation, Now now) {
   const NodeNumber number = peer.channels().number;
   peer.become(incarnation, now.steady);
-  const bool world_too = incarnation > incarnation_;
-  incarnation_ = std::max(incarnation_, incarnation);
+  const bool world_too = signature_.become(incarnation);
   for (const auto& [key, kept] : std::map(own_states_)) {
     const NodeNumber to = std::get<NodeNumber>(key);
     if (to != number && !(world_too && to == kEverybody)) continue;
     wire::Sample state = kept;
-    wire::header_of(state).incarnation = to == number ? incarnation : incarnation_;
-    wire::header_of(state).sequence_number = ++sequence_;
+    signature_.renew(wire::header_of(state), to == number ? incarnation : signature_.incarnation());
     if (to == number) {
       send_value(peer, std::move(state), now);
     } else {
-      write(*world_, state);
+      write(*directory_.world(), state);
     }
   }
   serve(peer, now);

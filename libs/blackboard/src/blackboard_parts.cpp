@@ -38,7 +38,8 @@ void Blackboard::Impl::admit_part(std::size_t channel, Peer& peer, const wire::P
   hear(peer);
   if (!whole) return;
   const auto* malformed = std::get_if<Malformed>(&*whole);
-  if (malformed != nullptr) return refuse(malformed->slot, part.header, malformed->violation);
+  if (malformed != nullptr)
+    return drops_.tell(malformed->slot, part.header, malformed->violation, out_);
   auto& sample = std::get<wire::Sample>(*whole);
   const wire::Slot slot = wire::slot_of(sample);
   if (wire::slot_class(slot) == wire::SlotClass::kState) {
@@ -47,7 +48,7 @@ void Blackboard::Impl::admit_part(std::size_t channel, Peer& peer, const wire::P
   }
   if (const auto violation =
           long_event_violation(config_.channels[peer.channels().incoming], part, sample))
-    return refuse(slot, part.header, *violation);
+    return drops_.tell(slot, part.header, *violation, out_);
   out_.push_back(received_or_expired(std::move(sample), peer.channels().kind, now.mission));
 }
 

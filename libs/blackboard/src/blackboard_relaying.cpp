@@ -15,9 +15,8 @@ bool is_state(wire::Slot slot) { return wire::slot_class(slot) == wire::SlotClas
 // takes turns), with its sender (events), or is of the past (streams).
 void Blackboard::Impl::hand_to(Peer& hop, wire::Sample sample, Now now) {
   const wire::Slot slot = wire::slot_of(sample);
-  const bool up = hop.outgoing_condition().up;
-  LimitedChannel* limited = hop.limited();
-  if (limited == nullptr) {
+  const bool up = hop.line().outgoing().up;
+  if (hop.line().limited() == nullptr) {
     if (is_state(slot)) hop.pass_by(sample);
     if (up || is_state(slot)) write(hop.channels().outgoing, sample);
     return;
@@ -26,24 +25,18 @@ void Blackboard::Impl::hand_to(Peer& hop, wire::Sample sample, Now now) {
     if (is_state(slot)) hop.put(std::move(sample));
     return;
   }
-  const bool each = slot == wire::Slot::kHeartbeat || slot == wire::Slot::kPart ||
-                    wire::slot_class(slot) == wire::SlotClass::kEvent;
-  if (each) {
-    limited->pass(std::move(sample));
-  } else {
-    hop.put(std::move(sample));
-  }
+  hop.put(std::move(sample));
   write_in_turn(hop, now);
-  plan(hop);
+  directory_.plan(hop);
 }
 
 void Blackboard::Impl::hand_all(std::vector<routing::Handed> handed, Now now) {
-  for (routing::Handed& one : handed) hand_to(peers_.at(one.hop), std::move(one.sample), now);
+  for (routing::Handed& one : handed) hand_to(directory_.at(one.hop), std::move(one.sample), now);
 }
 
 void Blackboard::Impl::send_on(NodeNumber to, wire::Sample sample, Now now) {
   if (const auto hop = forwarding_->hop_to(to, wire::slot_of(sample)))
-    hand_to(peers_.at(*hop), std::move(sample), now);
+    hand_to(directory_.at(*hop), std::move(sample), now);
 }
 
 void Blackboard::Impl::send_past_relays(wire::Heartbeat heartbeat, Now now) {
@@ -69,16 +62,16 @@ void Blackboard::Impl::route(Now now) {
   for (const routing::WayChange& change : forwarding_->update(now.steady)) take_way(change, now);
   hand_all(forwarding_->take_reminders(), now);
   if (auto report = forwarding_->take_report()) {
-    stamp(report->header, kEverybody, ++sequence_, now);
+    signature_.sign_published(report->header, now);
     hand_all(forwarding_->flood(*report), now);
   }
 }
 
 // Events and states may have been under way on the way before.
 void Blackboard::Impl::take_way(const routing::WayChange& change, Now now) {
-  const auto found = peers_.find(change.peer);
-  if (found == peers_.end()) return;
-  Peer& peer = found->second;
+  Peer* found = directory_.find(change.peer);
+  if (found == nullptr) return;
+  Peer& peer = *found;
   const routing::TakenWay taken = forwarding_->take(change);
   peer.set_way(taken.relays, change.heard_of, taken.is_other, now);
   if (taken.news) out_.emplace_back(*taken.news);

@@ -22,7 +22,7 @@ std::vector<Incoming> Blackboard::Impl::receive(Now now) {
   std::vector<Arrival> arrivals = transport_.take();
   const bool waits = std::ranges::any_of(arrivals, tells_of_links);
   for (Arrival& arrival : arrivals) {
-    if (waits && senders_[arrival.channel] != nullptr) {
+    if (waits && directory_.over(arrival.channel) != nullptr) {
       behind_links_.push_back(std::move(arrival));
     } else {
       arrive(std::move(arrival), now);
@@ -34,17 +34,17 @@ std::vector<Incoming> Blackboard::Impl::receive(Now now) {
 
 std::vector<Incoming> Blackboard::Impl::act(Now now) {
   for (Arrival& arrival : std::exchange(behind_links_, {})) {
-    if (senders_[arrival.channel]->incoming_condition().up) arrive(std::move(arrival), now);
+    if (directory_.over(arrival.channel)->line().incoming().up) arrive(std::move(arrival), now);
   }
-  for (const NodeNumber number : agenda_.due(now)) {
-    Peer& peer = peers_.at(number);
+  for (const NodeNumber number : directory_.agenda().due(now)) {
+    Peer& peer = directory_.at(number);
     peer.update(now, out_);
     serve(peer, now);
   }
   if (const auto number = pulse_.beat(now.steady)) {
     wire::Heartbeat heartbeat;
-    stamp(heartbeat.header, kEverybody, *number, now);
-    write(*world_, heartbeat);
+    signature_.sign_published(heartbeat.header, *number, now);
+    write(*directory_.world(), heartbeat);
   }
   route(now);
   connections_.write_again();

@@ -78,6 +78,15 @@ bool Lives::former_goes_on(Duration silence, Duration now) {
   return true;
 }
 
+void Lives::heard_present(bool restarted) {
+  if (restarted) turns_ = 0;
+  heard_present_ = true;
+}
+
+void Lives::heard_older() {
+  if (std::exchange(heard_present_, false)) ++turns_;
+}
+
 void Lives::become(std::uint64_t self_incarnation) {
   self_incarnation_ = self_incarnation;
   present_.incoming.become(self_incarnation);

@@ -41,6 +41,13 @@ class Lives {
   /// The former life has said something new. Whether it is the present one again.
   bool former_goes_on(Duration silence, Duration now);
   void forget_silent_rival(Duration silence, Duration now);
+  /// A heartbeat of the present incarnation came; `restarted`: it is another one than before.
+  void heard_present(bool restarted);
+  /// A heartbeat of an older incarnation came, which is none of the lives.
+  void heard_older();
+  /// Whether the present incarnation and an older one were repeatedly heard by turns: both are
+  /// alive.
+  bool has_older_rival() const { return turns_ >= kTurns; }
 
   /// The incarnation of this node towards the peer.
   std::uint64_t self_incarnation() const { return self_incarnation_; }
@@ -50,10 +57,15 @@ class Lives {
   void commit();
 
  private:
+  /// After one, an old heartbeat may only be late.
+  static constexpr int kTurns = 3;
+
   const Config* config_;
   std::uint64_t self_incarnation_;
   Life present_;
   std::unique_ptr<Rival> rival_;
+  bool heard_present_ = false;  ///< since the last heartbeat of an older incarnation
+  int turns_ = 0;               ///< changes from the present incarnation to an older one
 };
 
 }  // namespace skein::blackboard

@@ -6,29 +6,17 @@
 #include <memory>
 #include <optional>
 #include <unordered_map>
-#include <utility>
 #include <variant>
 #include <vector>
 
-#include "limited_channel.hpp"
-#include "lives.hpp"
-#include "long_states.hpp"
-#include "outgoing_events.hpp"
-#include "outgoing_parts.hpp"
-#include "round_trip.hpp"
+#include "heartbeat_times.hpp"
+#include "line.hpp"
+#include "session.hpp"
 #include "skein/blackboard/blackboard.hpp"
 
 namespace skein::blackboard {
 
-/// The channels to and from a peer, as indices into Config::channels.
-struct PeerChannels {
-  NodeNumber number;
-  ChannelKind kind = ChannelKind::kRadio;
-  std::size_t outgoing = 0;
-  std::size_t incoming = 0;
-};
-
-/// Reachability and both halves of the event session. Writes nothing itself: decides what is due.
+/// Reachability of a peer, and what is due to it. Writes nothing itself.
 ///
 /// A heartbeat goes out each period, and at once when the channel comes up or a peer (or a new
 /// incarnation of it) is first heard, so that its session opens without delay; and soon after
@@ -38,19 +26,15 @@ struct PeerChannels {
 /// in a large team most are never in reach. Source: spec 1.3 (reachability, class event).
 class Peer {
  public:
-  /// What has passed between this node and the peer.
-  struct Session {
-    explicit Session(const Config& config)
-        : outgoing(config.held_events, config.retransmission), lives(config) {}
-    OutgoingEvents outgoing;
-    OutgoingParts parts_out;  ///< of long events
-    LongStates long_states;
-    Lives lives;
-  };
   /// The configuration and `none`, a session without content, outlive the peer.
   Peer(PeerChannels channels, const Config& config, const Session& none);
 
-  const PeerChannels& channels() const { return channels_; }
+  const PeerChannels& channels() const { return line_.channels(); }
+  const Line& line() const { return line_; }
+  /// The session, which begins now if there is none.
+  Session& session();
+  /// The session as it is, or one without content.
+  const Session& known() const { return session_ ? *session_ : *none_; }
   bool reachable() const { return reachable_; }
   /// The incarnation that is taken for the peer: the greatest heard, or a smaller one that goes on
   /// beside it (see Rival); 0: none.
@@ -61,33 +45,14 @@ class Peer {
   bool was_heard() const { return was_heard_; }
   /// Towards the peer, which never heard this node, it has this incarnation from now on.
   void become(std::uint64_t incarnation, Duration now);
-  const Lives& lives() const { return known().lives; }
-  /// Notes a heartbeat of the peer; see Lives.
-  Novelty note(const wire::Heartbeat& heartbeat) { return session().lives.note(heartbeat); }
   /// A heartbeat of an older incarnation of the peer arrived. While the latest one is silent, the
   /// sender is told of it, since it may be a new life with too small a number.
   void on_old_heartbeat();
-  /// Whether the peer and an older incarnation were repeatedly heard by turns: both are alive.
-  bool has_older_rival() const { return rival_turns_ >= kRivalTurns; }
-  const OutgoingEvents& outgoing() const { return known().outgoing; }
-  const OutgoingParts& outgoing_parts() const { return known().parts_out; }
-  /// Whether the event is sent in parts; the same in every life.
-  bool is_long(const wire::Sample& event) const;
-  /// Whether there is room to hold the event until it is acknowledged.
-  bool has_room_for(const wire::Sample& event) const;
-  /// The sequence number that the header of the event must carry for hold().
-  std::uint64_t next_number(const wire::Sample& event) const;
-  void hold(wire::Sample event, std::uint64_t receipt);
-  const ChannelCondition& outgoing_condition() const { return out_condition_; }
-  const ChannelCondition& incoming_condition() const { return in_condition_; }
 
   void set_outgoing(const ChannelCondition& condition, Now now);
-  void set_incoming(const ChannelCondition& condition) { in_condition_ = condition; }
-  /// The scheduler of the channel to the peer; null if its capacity is unlimited.
-  LimitedChannel* limited() { return limited_.get(); }
-  const LimitedChannel* limited() const { return limited_.get(); }
-  /// Queues a state or a stream on a channel of limited capacity.
-  void put(wire::Sample value);
+  void set_incoming(const ChannelCondition& condition) { line_.set_incoming(condition); }
+  /// Queues a state or a stream on a channel of limited capacity, or whatever goes past a relay.
+  void put(wire::Sample sample);
   /// A state to the peer is given to the transport, which keeps it: older ones need not be said.
   void pass_by(const wire::Sample& state);
   /// States that wait for room in a channel that takes no turns any more, to be written at once.
@@ -107,7 +72,7 @@ class Peer {
   /// Whether samples of this incarnation are refused, because an earlier one is heard: then a
   /// second process with the peer's number says them. Notes that it does.
   bool refuses(std::uint64_t incarnation, Duration steady) {
-    if (!reachable_ || !lives().was_refused(incarnation)) return false;
+    if (!reachable_ || !known().lives.was_refused(incarnation)) return false;
     session().lives.refused(steady);
     return true;
   }
@@ -123,11 +88,8 @@ class Peer {
   /// Detects the loss of contact and the expiry of events.
   void update(Now now, std::vector<Incoming>& out);
 
-  // Restoration from former lives; see Blackboard.
+  // Restoration from former lives; see Blackboard and Session.
   void recall_sent(wire::Sample event, std::uint64_t receipt);
-  void recall_acknowledged(std::uint64_t number);
-  void recall_given_up(std::uint64_t number);
-  void recall_received(const wire::SampleHeader& header);
   void recall_reachable(bool reachable);
 
   std::vector<const wire::Sample*> take_due_events(Now now);
@@ -142,23 +104,14 @@ class Peer {
   std::optional<wire::Part> take_part(Now now);
   /// The earliest expiry of the events held.
   std::optional<MissionTime> first_expiry() const {
-    return recalled_ ? std::nullopt
-                     : earliest(outgoing().first_expiry(), outgoing_parts().first_expiry());
+    return recalled_ ? std::nullopt : known().first_expiry();
   }
   /// Steady time when something is next due; none if only arrivals can change that.
   std::optional<Duration> next_wakeup() const;
 
  private:
-  /// After one, an old heartbeat may only be late.
-  static constexpr int kRivalTurns = 3;
-
-  /// The session as it is, or one without content.
-  const Session& known() const { return session_ ? *session_ : *none_; }
-  /// The session, which begins now if there is none.
-  Session& session();
-  /// Delay of channels and acknowledgements, to be added to time-outs.
-  RoundTrip round_trip() const;
-  void owe_acknowledgement(Duration now);
+  /// Delivers what is in order, and owes an acknowledgement of it.
+  void deliver(Now now, std::vector<Incoming>& out);
   void take_acknowledgement(const wire::Heartbeat& heartbeat, std::vector<Incoming>& out);
   /// The part to be written now: content of an own event, or an acknowledgement of what came in
   /// parts from the peer.
@@ -166,37 +119,24 @@ class Peer {
   void part_written(const wire::Part& part, Duration until);
   /// The next part of a long state, without header; counts as written.
   wire::Part take_state_part(wire::Slot slot, Now now, Duration until);
-  std::uint32_t bytes_of_a_part() const;
   /// Parts are sent only while there is contact in both directions.
-  bool sends_parts() const { return can_send() && reachable_ && is_heard_ && !recalled_; }
-  bool sends_state_parts() const { return limited_ && relays_ == 0 && sends_parts() && session_; }
-  void limit(double capacity, Duration now);
+  bool sends_parts() const { return line_.can_send() && reachable_ && is_heard_ && !recalled_; }
+  bool sends_state_parts() const {
+    return line_.limited() != nullptr && !line_.is_relayed() && sends_parts() && session_;
+  }
 
-  Duration silence_limit() const;
-  /// Whether samples can reach the peer, as far as is known here.
-  bool can_send() const { return relays_ > 0 || out_condition_.up; }
-
-  PeerChannels channels_;
   const Config* config_;
   const Session* none_;
   std::unique_ptr<Session> session_;
-  std::unique_ptr<LimitedChannel> limited_;
-  Duration period_;
-  ChannelCondition out_condition_;
-  ChannelCondition in_condition_;
-  std::size_t relays_ = 0;
-  bool heard_of_ = false;
+  Line line_;
   bool turn_of_passing_ = false;
   bool reachable_ = false;
-  bool is_heard_ = false;      ///< the peer hears this node, by its last heartbeat
-  bool was_heard_ = false;     ///< the peer heard this node at some time of this life
-  bool heard_old_ = false;     ///< an older incarnation since the last heartbeat to the peer
-  bool heard_latest_ = false;  ///< the latest incarnation since the last of an older one
-  int rival_turns_ = 0;        ///< changes from the latest incarnation to an older one
-  bool is_refused_ = false;    ///< the peer takes another process for this node
-  bool recalled_ = false;      ///< the peer was not heard yet since this life began
-  Duration next_heartbeat_;
-  std::optional<Duration> acknowledge_at_;
+  bool is_heard_ = false;    ///< the peer hears this node, by its last heartbeat
+  bool was_heard_ = false;   ///< the peer heard this node at some time of this life
+  bool heard_old_ = false;   ///< an older incarnation since the last heartbeat to the peer
+  bool is_refused_ = false;  ///< the peer takes another process for this node
+  bool recalled_ = false;    ///< the peer was not heard yet since this life began
+  HeartbeatTimes heartbeats_;
   std::optional<Duration> acknowledge_parts_at_;
 };
 

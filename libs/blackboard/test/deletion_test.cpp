@@ -64,9 +64,9 @@ class Matched final : public dds::DataWriterListener {
 };
 
 /// A participant with the topic "words".
-class Peer {
+class Participant {
  public:
-  Peer(std::uint32_t domain, const std::string& name) {
+  Participant(std::uint32_t domain, const std::string& name) {
     DdsConfig config;
     config.domain = domain;
     config.participant_name = name;
@@ -84,7 +84,7 @@ class Peer {
   dds::Topic* topic_ = nullptr;
 };
 
-dds::DataWriter* writer_of(Peer& peer, dds::Publisher& publisher, Matched& matched) {
+dds::DataWriter* writer_of(Participant& peer, dds::Publisher& publisher, Matched& matched) {
   dds::DataWriterQos qos;
   qos.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
   qos.history().kind = dds::KEEP_LAST_HISTORY_QOS;
@@ -113,7 +113,7 @@ bool deleted_in_time(dds::DomainParticipant& participant, dds::Publisher* publis
 TEST(DeletionOfAWriter, EndsWhileItsHeartbeatRunsAndNobodyAcknowledges) {
   auto lease = claim_domain();
   Busy busy;
-  Peer heliv(lease.value().domain(), "heliv"), marvin(lease.value().domain(), "marvin");
+  Participant heliv(lease.value().domain(), "heliv"), marvin(lease.value().domain(), "marvin");
   dds::Subscriber* const subscriber =
       heliv.participant().create_subscriber(dds::SUBSCRIBER_QOS_DEFAULT);
   dds::DataReaderQos reads;
