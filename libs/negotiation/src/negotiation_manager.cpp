@@ -53,6 +53,7 @@ class NegotiationManager::Core {
     std::string text;
     for (const auto& [id, session] : sessions_) text += session.state_text() + "\n";
     for (const auto& [subject, id] : current_) text += subject + " -> " + to_text(id) + "\n";
+    for (const auto& [uav, time] : answers_in_) text += uav + " in " + to_text(time) + "\n";
     return text;
   }
 
@@ -127,7 +128,8 @@ class NegotiationManager::Core {
 
   Session& open(Terms terms) {
     const SessionId id = terms.id();
-    return sessions_.emplace(id, Session(std::move(terms), self_, limits_, self_)).first->second;
+    return sessions_.emplace(id, Session(std::move(terms), self_, limits_, self_, answers_in_))
+        .first->second;
   }
 
   void join(Session& session, NegotiationEffects& out) {
@@ -210,12 +212,12 @@ class NegotiationManager::Core {
       // Who still can come after us hears where we are; who promised hears that we refuse.
       const bool moved = known->second.moved() && shares(current, message.from);
       if (moved && !known->second.is_bound(message.from)) {
-        current->tell(message.from, out);
+        current->tell(message.from, now_, out);
         return std::nullopt;
       }
-      return known->second.receive(message, now_, out);
+      return receive(known->second, message, out);
     }
-    Session fresh(message.terms, self_, limits_, message.from);
+    Session fresh(message.terms, self_, limits_, message.from, answers_in_);
     const bool forgotten = message.terms.opened < born_ || fresh.says_more_of_self(message.entries);
     if (!forgotten && message.terms.deadline <= now_) return "of a session that is over";
     if (forgotten) {
@@ -223,7 +225,7 @@ class NegotiationManager::Core {
     } else if (current != nullptr && current->terms().members != message.terms.members) {
       return turn_down(std::move(fresh), message, out);
     } else if (current != nullptr && !earlier(message.terms, current->terms())) {
-      current->tell(message.from, out);  // who sent it will come after us
+      current->tell(message.from, now_, out);  // who sent it will come after us
       return std::nullopt;
     }
     if (!forgotten && current != nullptr &&
@@ -235,12 +237,20 @@ class NegotiationManager::Core {
     const bool invites = !forgotten && current == nullptr;
     if (moves) current->leave("it moved to an earlier session");
     Session& session = sessions_.emplace(message.terms.id(), std::move(fresh)).first->second;
-    auto problem = session.receive(message, now_, out);
+    auto problem = receive(session, message, out);
     if (moves && !problem) join(session, out);
     if (invites && !problem && !session.decided()) {
       out.emplace_back(InvitedToNegotiate{session.terms()});
     }
     return problem;
+  }
+
+  std::optional<std::string> receive(Session& session, const SessionMessage& message,
+                                     NegotiationEffects& out) {
+    if (auto problem = session.receive(message, now_, out)) return problem;
+    const Duration answered_in = session.answered_in(message.from);
+    if (answered_in > Duration()) answers_in_[message.from] = answered_in;
+    return std::nullopt;
   }
 
   /// Invitations of other members than those with whom it is to be negotiated.
@@ -259,7 +269,7 @@ class NegotiationManager::Core {
     const std::string& subject = message.terms.subject;
     if (!has_room_for(message.from)) return too_many();
     Session& session = sessions_.emplace(message.terms.id(), std::move(fresh)).first->second;
-    if (const auto problem = session.receive(message, now_, out)) return *problem;
+    if (const auto problem = receive(session, message, out)) return *problem;
     return session.turn_down(wanted_.at(subject), now_, out);
   }
 
@@ -304,6 +314,7 @@ class NegotiationManager::Core {
   /// By subject: who begins takes part in no session with a later deadline. Twice as long as it is
   /// begun for, since clocks differ.
   std::map<std::string, MissionTime> over_by_;
+  AnswerTimes answers_in_;   ///< of the last answer of each
   NegotiationEffects kept_;  ///< of time that passed before a refused input
 };
 

@@ -36,13 +36,18 @@ std::optional<std::string> difference(const Wanted& wanted, const Terms& terms) 
 }  // namespace
 
 Session::Session(Terms terms, std::string self, const NegotiationLimits& limits,
-                 std::string told_by)
+                 std::string told_by, const AnswerTimes& answers_in)
     : terms_(std::move(terms)),
       self_(member(self)),
       limits_(limits),
       told_by_(std::move(told_by)),
       facts_(terms_),
-      telling_(terms_.members.size(), self_, terms_.opened) {}
+      telling_(terms_.members.size(), self_, terms_.opened, limits.again, limits.again_most) {
+  for (std::size_t i = 0; i < terms_.members.size(); ++i) {
+    const auto known = answers_in.find(terms_.members[i]);
+    if (known != answers_in.end()) telling_.expect_answers_in(i, known->second);
+  }
+}
 
 std::size_t Session::member(const std::string& uav) const {
   const auto found = std::find(terms_.members.begin(), terms_.members.end(), uav);
@@ -145,7 +150,7 @@ std::optional<std::string> Session::receive(const SessionMessage& message, Missi
   const FactBits theirs = Facts::bits_of(message.entries);
   if (says_more_of_self(message.entries)) lose();
   facts_.merge(message.entries);
-  telling_.heard(from, theirs);
+  telling_.heard(from, theirs, now);
   const bool news = lacks(before, theirs);
   // The decider's next stage answers what is new to it; if that does not come, they ask again.
   const bool leads = decides() && is_active();
@@ -158,20 +163,26 @@ std::optional<std::string> Session::receive(const SessionMessage& message, Missi
   return std::nullopt;
 }
 
-void Session::tell(const std::string& uav, NegotiationEffects& out) {
-  send_to(member(uav), false, out);
+void Session::tell(const std::string& uav, MissionTime now, NegotiationEffects& out) {
+  send_to(member(uav), false, now, out);
 }
 
 void Session::pass(MissionTime now, NegotiationEffects& out) {
   advance(now, out);
-  if (!is_active() || now < telling_.last_sent() + repeats_after()) return;
+  if (!is_active() || now < repeats_at()) return;
   // Who ought to have heard more asks everybody: half the time is over, or the decider is silent.
   const bool late = now >= terms_.settled_by() || telling_.decider_is_silent();
   const bool asks = late && !facts_.all_promised();
   const bool invites = terms_.opener == terms_.members[self_];
-  for (const std::size_t one : telling_.repeat(facts_.bits(), asks, invites, now)) {
-    send_to(one, asks, out);
-  }
+  const auto again = telling_.repeat(facts_.bits(), asks, invites, now, share_of_what_is_left(now));
+  for (const std::size_t one : again) send_to(one, asks, now, out);
+}
+
+// However late a cut heals, there is time to hear of it before half the time is over, or all.
+Duration Session::share_of_what_is_left(MissionTime now) const {
+  constexpr double kShare = 0.25;
+  const MissionTime until = now < terms_.settled_by() ? terms_.settled_by() : terms_.deadline;
+  return Duration::seconds(kShare * (until - now).to_seconds());
 }
 
 void Session::advance(MissionTime now, NegotiationEffects& out) {
@@ -280,10 +291,12 @@ bool Session::is_active() const {
 }
 
 void Session::send(MissionTime now, NegotiationEffects& out) {
-  for (const std::size_t one : telling_.take_owed(now)) send_to(one, false, out);
+  const auto owed = telling_.take_owed(facts_.bits(), now);
+  for (const std::size_t one : owed) send_to(one, false, now, out);
 }
 
-void Session::send_to(std::size_t member, bool asks, NegotiationEffects& out) const {
+void Session::send_to(std::size_t member, bool asks, MissionTime now, NegotiationEffects& out) {
+  telling_.tells(member, facts_.bits(), now);
   const bool wants_echo = asks || telling_.lags(member, facts_.bits());
   out.emplace_back(SendSessionMessage{
       terms_.members[member],
@@ -292,7 +305,7 @@ void Session::send_to(std::size_t member, bool asks, NegotiationEffects& out) co
 
 std::optional<MissionTime> Session::next_wakeup() const {
   if (!is_active()) return std::nullopt;
-  const MissionTime again = telling_.last_sent() + repeats_after();
+  const MissionTime again = repeats_at();
   if (outcome_) return again;
   std::optional<MissionTime> next = earliest(terms_.deadline, again);
   if (may_refuse() && facts_.refusal() == nullptr) next = earliest(next, terms_.settled_by());
@@ -310,11 +323,9 @@ std::string Session::state_text() const {
     text += "; " + one.uav + (one.offered ? " offered" : "") + (one.lost ? " lost" : "");
     if (one.vow == Vow::kPromised) text += " promised " + std::to_string(one.result);
     if (one.vow == Vow::kRefused) text += " refused: " + one.why;
-    if (i != self_) text += " knows " + std::to_string(telling_.told(i));
   }
   if (outcome_) text += "; " + std::string(to_text(outcome_->kind));
-  return text + "; " + std::to_string(telling_.unheard()) + " unheard since " +
-         to_text(telling_.last_sent());
+  return text + "; " + telling_.state_text();
 }
 
 }  // namespace skein::interaction

@@ -2,6 +2,7 @@
 // One negotiation session at one member.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,9 @@ struct Wanted {
   ModelHash model;
 };
 
+/// By UAV, how long it took until it answered.
+using AnswerTimes = std::map<std::string, Duration>;
+
 /// State of this member in the session:
 ///   from            on                                               to
 ///   (new)           a message                                        invited
@@ -34,7 +38,9 @@ struct Wanted {
 class Session {
  public:
   /// `told_by`: the member that first told of the session; `self` if it is opened here.
-  Session(Terms terms, std::string self, const NegotiationLimits& limits, std::string told_by);
+  /// `answers_in`: as far as other sessions have shown.
+  Session(Terms terms, std::string self, const NegotiationLimits& limits, std::string told_by,
+          const AnswerTimes& answers_in);
 
   /// Takes part. The opener sends the session to all members.
   void join(const Wanted& wanted, std::shared_ptr<const NegotiationModality> modality,
@@ -52,7 +58,7 @@ class Session {
   std::optional<std::string> receive(const SessionMessage& message, MissionTime now,
                                      NegotiationEffects& out);
   /// Sends one member all that is known here.
-  void tell(const std::string& uav, NegotiationEffects& out);
+  void tell(const std::string& uav, MissionTime now, NegotiationEffects& out);
   /// This member restarted since, and may have made any vow before.
   void lose() { facts_[self_].lost = true; }
   void pass(MissionTime now, NegotiationEffects& out);
@@ -61,6 +67,8 @@ class Session {
   const Terms& terms() const { return terms_; }
   std::string state_text() const;
   bool moved() const { return moved_; }
+  /// How long the last answer of `uav` took, here or before; 0: not known.
+  Duration answered_in(const std::string& uav) const { return telling_.answered_in(member(uav)); }
   const std::string& told_by() const { return told_by_; }
   /// Whether the session may be removed without loss: it is over, or a later message restores it.
   bool may_be_forgotten(MissionTime now) const;
@@ -92,8 +100,11 @@ class Session {
   void plan_to_tell(FactBits before);
   bool is_active() const;
   void send(MissionTime now, NegotiationEffects& out);
-  Duration repeats_after() const { return outcome_ ? limits_.ask : limits_.again; }
-  void send_to(std::size_t member, bool asks, NegotiationEffects& out) const;
+  MissionTime repeats_at() const {
+    return outcome_ ? telling_.last_sent() + limits_.ask : telling_.due();
+  }
+  Duration share_of_what_is_left(MissionTime now) const;
+  void send_to(std::size_t member, bool asks, MissionTime now, NegotiationEffects& out);
 
   Terms terms_;
   std::size_t self_;

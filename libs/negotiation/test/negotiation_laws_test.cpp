@@ -162,6 +162,40 @@ TEST_P(CutAtEveryMessage, ThatIsShortEndsInAgreement) {
 
 INSTANTIATE_TEST_SUITE_P(OfTwoAndThree, CutAtEveryMessage, ::testing::Values(2, 3));
 
+/// A channel that carries one message after the other, each in so much time. What would come more
+/// than 2 s after it was sent is lost, but not before it was carried (lifespan of the slot).
+testing::Link narrow(Duration airtime) {
+  return [airtime, free = MissionTime()](std::size_t from, std::size_t,
+                                         MissionTime at) mutable -> std::optional<Duration> {
+    if (from != 0) return Duration::milliseconds(20);
+    free = std::max(free, at) + airtime;
+    if (free - at > Duration::seconds(2)) return std::nullopt;
+    return free - at;
+  };
+}
+
+constexpr Duration kMostOfTheLifespan = Duration::milliseconds(1'300);
+
+TEST(WhoInvitesOverANarrowChannel, LeavesItToOthers) {
+  Team team(2, narrow(kMostOfTheLifespan));
+  team.begin(0, begin_roles(2, Duration::seconds(30)));
+
+  team.run_until(MissionTime::seconds(15));
+
+  EXPECT_LT(static_cast<double>(team.sent()) * kMostOfTheLifespan.to_seconds(), 15 * 0.6);
+}
+
+TEST(WhoInvitesOverANarrowChannel, AgreesWithWhoTakesPartLater) {
+  const BeginNegotiation begin = begin_roles(2, Duration::seconds(30));
+  Team team(2, narrow(kMostOfTheLifespan));
+  team.begin(0, begin);
+  team.at(MissionTime::seconds(9), [&] { team.begin(1, begin); });
+
+  team.run_until(MissionTime::seconds(31));
+
+  EXPECT_EQ(count(team, Kind::kAgreed), 2U) << team.outcomes().text();
+}
+
 // At every instant of a session, each member goes down, for good or to come back.
 TEST(ACrashAtAnyTime, KeepsTheLaws) {
   for (std::size_t members = 2; members <= 3; ++members) {

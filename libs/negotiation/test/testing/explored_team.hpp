@@ -90,7 +90,7 @@ class ExploredTeam {
 
   NegotiationManager make(std::size_t member, MissionTime born) const {
     NegotiationLimits limits;
-    limits.again = Duration::seconds(bounds_.again);
+    limits.again = limits.again_most = Duration::seconds(bounds_.again);
     return NegotiationManager(name_of(member), 1, modalities(bounds_.result_is_job), limits, born);
   }
   BeginNegotiation begin_of(std::size_t member) const {

@@ -17,9 +17,15 @@
 namespace skein::interaction {
 
 struct NegotiationLimits {
-  Duration again = Duration::milliseconds(500);  ///< between repetitions of unacknowledged messages
-  Duration ask = Duration::seconds(5);           ///< between questions of an undecided member
-  Duration keep = Duration::seconds(600);        ///< time that a session is kept after its deadline
+  /// Until a message that nobody acknowledged is repeated; twice as long before each further one,
+  /// up to again_most, when the one before has arrived or expired (scenarios/slots.yaml), or a
+  /// quarter of the time left until half the time is over (then: all of it), so that what heals
+  /// late is heard of. Who does not take part yet acknowledges nothing, and a narrow channel would
+  /// carry nothing else.
+  Duration again = Duration::milliseconds(500);
+  Duration again_most = Duration::seconds(2);
+  Duration ask = Duration::seconds(5);     ///< between questions of an undecided member
+  Duration keep = Duration::seconds(600);  ///< time that a session is kept after its deadline
   /// Most sessions learnt from one member in which this UAV does not take part (any more): one
   /// opened by each of kMostMembers, for four subjects. Further ones are rejected until one of
   /// these is over or decided, and is replaced.
