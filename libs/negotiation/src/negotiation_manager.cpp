@@ -209,8 +209,10 @@ class NegotiationManager::Core {
     Session* current = under_way(message.terms.subject);
     const auto known = sessions_.find(message.terms.id());
     if (known != sessions_.end()) {
-      // Who still can come after us hears where we are; who promised hears that we refuse.
-      const bool moved = known->second.moved() && shares(current, message.from);
+      // Who still can come after us hears where we are; others, and who promised, hear that we
+      // refuse.
+      const bool moved = known->second.moved() && shares(current, message.from) &&
+                         earlier(current->terms(), message.terms);
       if (moved && !known->second.is_bound(message.from)) {
         current->tell(message.from, now_, out);
         return std::nullopt;
@@ -235,7 +237,7 @@ class NegotiationManager::Core {
     if (!has_room_for(message.from)) return too_many();
     const bool moves = !forgotten && current != nullptr && moves_to(message.terms, *current);
     const bool invites = !forgotten && current == nullptr;
-    if (moves) current->leave("it moved to an earlier session");
+    if (moves) leave(*current, message, out);
     Session& session = sessions_.emplace(message.terms.id(), std::move(fresh)).first->second;
     auto problem = receive(session, message, out);
     if (moves && !problem) join(session, out);
@@ -243,6 +245,13 @@ class NegotiationManager::Core {
       out.emplace_back(InvitedToNegotiate{session.terms()});
     }
     return problem;
+  }
+
+  /// For the earlier session that the message is of. Who sent it does not come after us: it hears
+  /// that we left, and does not take the one left for an invitation once this one is over.
+  void leave(Session& session, const SessionMessage& message, NegotiationEffects& out) {
+    session.leave("it moved to an earlier session");
+    if (is_in(message.from, session.terms().members)) session.tell(message.from, now_, out);
   }
 
   std::optional<std::string> receive(Session& session, const SessionMessage& message,

@@ -12,12 +12,13 @@ using ::testing::IsEmpty;
 
 constexpr std::size_t kDecider = 0, kSelf = 1;
 constexpr FactBits kOld = 1, kAll = 3;
-constexpr Duration kFirst = Duration::milliseconds(500), kMost = Duration::milliseconds(2'000);
+constexpr Duration kShortestPause = Duration::milliseconds(500),
+                   kLongestPause = Duration::milliseconds(2'000);
 
 MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
 
 Telling among(std::size_t members, std::size_t self) {
-  return Telling(members, self, at(1), kFirst, kMost);
+  return Telling(members, self, at(1), kShortestPause, kLongestPause);
 }
 
 /// Member `self` of three. The decider knows all; 1 and 2 know what is old.
@@ -71,10 +72,10 @@ TEST(Telling, TheDeciderRepeatsToAllWhoLagOthersToTheDecider) {
   Telling decider = among(3, kDecider);
   decider.heard(1, kOld, at(1));
   decider.heard(2, kAll, at(1));
-  EXPECT_THAT(decider.repeat(kAll, false, false, at(2), kMost), ElementsAre(1));
+  EXPECT_THAT(decider.repeat(kAll, false, false, at(2), kLongestPause), ElementsAre(1));
 
   Telling other = among(3, kSelf);
-  EXPECT_THAT(other.repeat(kAll, false, false, at(2), kMost), ElementsAre(kDecider));
+  EXPECT_THAT(other.repeat(kAll, false, false, at(2), kLongestPause), ElementsAre(kDecider));
 }
 
 TEST(Telling, WhoInvitesRepeatsToThoseWhoWereNeverHeard) {
@@ -82,21 +83,21 @@ TEST(Telling, WhoInvitesRepeatsToThoseWhoWereNeverHeard) {
   telling.heard(kDecider, kAll, at(1));
   telling.heard(2, kOld, at(1));
 
-  EXPECT_THAT(telling.repeat(kAll, false, false, at(2), kMost), IsEmpty());
-  EXPECT_THAT(telling.repeat(kAll, false, true, at(3), kMost), ElementsAre(3));
+  EXPECT_THAT(telling.repeat(kAll, false, false, at(2), kLongestPause), IsEmpty());
+  EXPECT_THAT(telling.repeat(kAll, false, true, at(3), kLongestPause), ElementsAre(3));
 }
 
 TEST(Telling, WhoAsksAsksAllOthers) {
   Telling telling = among_three(kSelf);
 
-  EXPECT_THAT(telling.repeat(kAll, true, false, at(2), kMost), ElementsAre(kDecider, 2));
+  EXPECT_THAT(telling.repeat(kAll, true, false, at(2), kLongestPause), ElementsAre(kDecider, 2));
 }
 
 TEST(Telling, TheDeciderIsSilentThatDoesNotAnswerTwoRepetitions) {
   Telling telling = among(3, kSelf);
-  telling.repeat(kAll, false, false, at(2), kMost);
+  telling.repeat(kAll, false, false, at(2), kLongestPause);
   EXPECT_FALSE(telling.decider_is_silent());
-  telling.repeat(kAll, false, false, at(3), kMost);
+  telling.repeat(kAll, false, false, at(3), kLongestPause);
   EXPECT_TRUE(telling.decider_is_silent());
 
   telling.heard(2, kAll, at(1));
@@ -108,7 +109,8 @@ TEST(Telling, TheDeciderIsSilentThatDoesNotAnswerTwoRepetitions) {
 
 TEST(Telling, TheDeciderIsNeverSilentToItself) {
   Telling telling = among(3, kDecider);
-  for (const double second : {2, 3, 4}) telling.repeat(kAll, false, false, at(second), kMost);
+  for (const double second : {2, 3, 4})
+    telling.repeat(kAll, false, false, at(second), kLongestPause);
 
   EXPECT_EQ(telling.unheard(), 3);
   EXPECT_FALSE(telling.decider_is_silent());
@@ -117,7 +119,7 @@ TEST(Telling, TheDeciderIsNeverSilentToItself) {
 TEST(Telling, WhereNobodyIsToldAgainThatIsNoRepetitionButTheTimeBeginsAnew) {
   Telling telling = among_three(kSelf);
 
-  telling.repeat(kOld, false, false, at(5), kMost);
+  telling.repeat(kOld, false, false, at(5), kLongestPause);
 
   EXPECT_EQ(telling.unheard(), 0);
   EXPECT_EQ(telling.last_sent(), at(5));
@@ -128,14 +130,14 @@ TEST(Telling, WhatNobodyAnswersIsToldEverMoreRarely) {
   std::vector<double> times;
   for (int i = 0; i < 5; ++i) {
     times.push_back((telling.due() - at(0)).to_seconds());
-    telling.repeat(kAll, false, false, telling.due(), kMost);
+    telling.repeat(kAll, false, false, telling.due(), kLongestPause);
   }
   EXPECT_THAT(times, ElementsAre(1.5, 2.5, 4.5, 6.5, 8.5));
 }
 
 TEST(Telling, NewsAreToldAgainAsSoonAsTheFirst) {
   Telling telling = among(2, kSelf);
-  for (int i = 0; i < 3; ++i) telling.repeat(kAll, false, false, telling.due(), kMost);
+  for (int i = 0; i < 3; ++i) telling.repeat(kAll, false, false, telling.due(), kLongestPause);
 
   telling.owe(kDecider);
   telling.take_owed(kAll, at(10));
