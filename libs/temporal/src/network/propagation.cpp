@@ -26,7 +26,7 @@ void Propagation::set_bounds(const ArcBounds& bounds) {
 void Propagation::set_weight(Constraint k, Ticks weight) {
   const Ticks old = arcs_.weight(k);
   if (weight == old) return;
-  log({Write::kWeight, Bound::kLower, false, k, old, kNone, kNone});
+  log_.add({.write = Undo::Write::kWeight, .id = k, .value = old});
   arcs_.set_weight(k, weight);
   const bool reversed = literal_upper_test_ && (k & 1) != 0;
   if ((weight < old) != reversed) {
@@ -39,11 +39,9 @@ void Propagation::set_weight(Constraint k, Ticks weight) {
 void Propagation::set_import(NodeIndex node, Bound bound, Ticks value,
                              std::vector<NodeIndex> trail) {
   SKEIN_EXPECTS(imported_[node]);
-  effects_.clear();
-  append_effects(node, bound, true);
-  for (std::size_t i = 0; i < effects_.size(); ++i) append_effects(effects_[i], bound, true);
-  mark_effects_stale(bound);
-  write_state(node, bound, value, kNone, node);
+  trees_.is_cause_of(node, kNone, bound);
+  trees_.mark_gathered_stale(bound, log_);
+  trees_.write(arcs_, node, bound, {value, kNone, node}, log_);
   trails_[2 * node + side(bound)] = std::move(trail);
   queue_node(node, bound);
 }
@@ -59,21 +57,20 @@ void Propagation::relax() {
   for (const Constraint k : weakened_) {
     for (const Bound bound : kBounds) {
       const NodeIndex node = arcs_.target(k, bound);
-      if (at(node, bound).cause == k) reset_tree(node, bound);
+      if (trees_.at(node, bound).cause == k) reset_tree(node, bound);
     }
   }
   weakened_.clear();
-  for (const Pending& p : pending_) queue_constraint(p.constraint, p.bound);
+  for (const Pending& p : pending()) queue_constraint(p.constraint, p.bound);
 }
 
 void Propagation::reset_tree(NodeIndex root, Bound bound) {
-  effects_.assign(1, root);
-  for (std::size_t i = 0; i < effects_.size(); ++i) append_effects(effects_[i], bound, false);
-  for (const NodeIndex node : effects_) {
-    write_state(node, bound, kFloating, kNone, kNone);
+  const std::vector<NodeIndex>& tree = trees_.tree(root, bound);
+  for (const NodeIndex node : tree) {
+    trees_.write(arcs_, node, bound, {}, log_);
     resets_.push_back({node, bound});
   }
-  for (const NodeIndex node : effects_) revise_again(node, bound);
+  for (const NodeIndex node : tree) revise_again(node, bound);
 }
 
 /// What holds of a node that was reset is to be found again from all its neighbours; what it says
@@ -87,7 +84,7 @@ void Propagation::revise_again(NodeIndex node, Bound bound) {
 }
 
 void Propagation::queue_node(NodeIndex node, Bound bound) {
-  State& state = at(node, bound);
+  CauseTrees::State& state = trees_.at(node, bound);
   bool& flag = anchored(state.value) ? state.queued : state.deferred;
   if (flag) return;
   flag = true;
@@ -95,7 +92,7 @@ void Propagation::queue_node(NodeIndex node, Bound bound) {
 }
 
 void Propagation::queue_constraint(Constraint k, Bound bound) {
-  const bool tied = anchored(at(arcs_.source(k, bound), bound).value);
+  const bool tied = anchored(trees_.at(arcs_.source(k, bound), bound).value);
   (tied ? queue_ : deferred_).push({k, bound, false});
 }
 
@@ -126,9 +123,9 @@ void Propagation::propagate() {
 
 void Propagation::process(Item item) {
   if (item.is_node) {
-    at(item.id, item.bound).queued = false;
-    if (anchored(at(item.id, item.bound).value)) revise_from(item.id, item.bound);
-  } else if (anchored(at(arcs_.source(item.id, item.bound), item.bound).value)) {
+    trees_.at(item.id, item.bound).queued = false;
+    if (anchored(trees_.at(item.id, item.bound).value)) revise_from(item.id, item.bound);
+  } else if (anchored(trees_.at(arcs_.source(item.id, item.bound), item.bound).value)) {
     revise(item.id, item.bound);
   } else {
     deferred_.push(item);
@@ -138,8 +135,8 @@ void Propagation::process(Item item) {
 /// By now every node that can be tied to the origin is, and its constraints were revised then.
 void Propagation::process_deferred(Item item) {
   const NodeIndex node = item.is_node ? item.id : arcs_.source(item.id, item.bound);
-  const bool tied = anchored(at(node, item.bound).value);
-  if (item.is_node) at(node, item.bound).deferred = false;
+  const bool tied = anchored(trees_.at(node, item.bound).value);
+  if (item.is_node) trees_.at(node, item.bound).deferred = false;
   if (tied) return;
   if (item.is_node) {
     revise_from(node, item.bound);
@@ -154,121 +151,40 @@ void Propagation::revise_from(NodeIndex node, Bound bound) {
 
 void Propagation::revise(Constraint k, Bound bound) {
   const NodeIndex node = arcs_.target(k, bound);
-  if (arcs_.weight(k) == kMinusInfinite) return remove_pending(k, bound);
-  const State& from = at(arcs_.source(k, bound), bound);
+  if (arcs_.weight(k) == kMinusInfinite) return pending_.remove(k, bound, log_);
+  const CauseTrees::State& from = trees_.at(arcs_.source(k, bound), bound);
   if (from.stale || imported_[node]) return;
   ++checks_;
   const Ticks candidate = from.value + arcs_.weight(k);
-  if (candidate <= at(node, bound).value) return remove_pending(k, bound);
+  if (candidate <= trees_.at(node, bound).value) return pending_.remove(k, bound, log_);
   const Ticks offset = anchored(from.value) ? candidate : candidate - kFloating;
   overflowed_ = overflowed_ || offset > kLargest || offset < -kLargest;
   if (offset < -kLargest) return;
-  if (offset > kLargest || impossible(k, bound, candidate)) return add_pending(k, bound);
-  remove_pending(k, bound);
+  if (offset > kLargest || impossible(k, bound, candidate)) return pending_.add(k, bound, log_);
+  pending_.remove(k, bound, log_);
   raise(k, bound, candidate);
 }
 
 bool Propagation::impossible(Constraint k, Bound bound, Ticks candidate) {
   const NodeIndex node = arcs_.target(k, bound);
   if (node == 0) return true;
-  const Ticks other = at(node, opposite(bound)).value;
+  const Ticks other = trees_.at(node, opposite(bound)).value;
   if (anchored(candidate) && anchored(other) && candidate + other > 0) return true;
-  const NodeIndex root = at(arcs_.source(k, bound), bound).root;
+  const NodeIndex root = trees_.at(arcs_.source(k, bound), bound).root;
   if (root != kNone) {
     const auto& trail = trails_[2 * root + side(bound)];
     if (std::find(trail.begin(), trail.end(), node) != trail.end()) return true;
   }
-  return is_cause_of(node, arcs_.source(k, bound), bound);
+  return trees_.is_cause_of(node, arcs_.source(k, bound), bound);
 }
 
-bool Propagation::is_cause_of(NodeIndex node, NodeIndex effect, Bound bound) {
-  effects_.clear();
-  append_effects(node, bound, true);
-  for (std::size_t i = 0; i < effects_.size(); ++i) {
-    if (effects_[i] == effect) return true;
-    append_effects(effects_[i], bound, true);
-  }
-  return false;
-}
-
-void Propagation::append_effects(NodeIndex node, Bound bound, bool fresh_only) {
-  const State& state = at(node, bound);
-  if (fresh_only && state.stale) return;
-  for (NodeIndex child = state.child; child != kNone; child = at(child, bound).next) {
-    if (!fresh_only || !at(child, bound).stale) effects_.push_back(child);
-  }
-}
-
-void Propagation::mark_effects_stale(Bound bound) {
-  for (const NodeIndex node : effects_) {
-    at(node, bound).stale = true;
-    log({Write::kStale, bound, false, node, 0, kNone, kNone});
-  }
-}
-
-/// Follows `impossible`, whose last test left the effects of the target in effects_.
+/// Follows `impossible`, whose last test gathered the effects of the target.
 void Propagation::raise(Constraint k, Bound bound, Ticks value) {
-  mark_effects_stale(bound);
+  trees_.mark_gathered_stale(bound, log_);
   const NodeIndex node = arcs_.target(k, bound);
-  write_state(node, bound, value, k, at(arcs_.source(k, bound), bound).root);
+  const NodeIndex root = trees_.at(arcs_.source(k, bound), bound).root;
+  trees_.write(arcs_, node, bound, {value, k, root}, log_);
   queue_node(node, bound);
-}
-
-void Propagation::write_state(NodeIndex node, Bound bound, Ticks value, Constraint cause,
-                              NodeIndex root) {
-  State& state = at(node, bound);
-  log({Write::kState, bound, state.stale, node, state.value, state.cause, state.root});
-  note_change(node, bound);
-  if (state.cause != kNone) unlink_effect(node, bound);
-  state.value = value;
-  state.cause = cause;
-  state.root = root;
-  state.stale = false;
-  if (cause != kNone) link_effect(node, bound);
-}
-
-void Propagation::link_effect(NodeIndex node, Bound bound) {
-  State& state = at(node, bound);
-  State& parent = at(arcs_.source(state.cause, bound), bound);
-  state.previous = kNone;
-  state.next = parent.child;
-  if (parent.child != kNone) at(parent.child, bound).previous = node;
-  parent.child = node;
-}
-
-void Propagation::unlink_effect(NodeIndex node, Bound bound) {
-  State& state = at(node, bound);
-  if (state.previous != kNone) {
-    at(state.previous, bound).next = state.next;
-  } else {
-    at(arcs_.source(state.cause, bound), bound).child = state.next;
-  }
-  if (state.next != kNone) at(state.next, bound).previous = state.previous;
-}
-
-void Propagation::note_change(NodeIndex node, Bound bound) {
-  State& state = at(node, bound);
-  if (state.changed) return;
-  state.changed = true;
-  changed_.push_back({2 * node + side(bound), state.value});
-}
-
-void Propagation::add_pending(Constraint k, Bound bound) {
-  if (is_pending(k, bound)) return;
-  log({Write::kPendingAdded, bound, false, k, 0, kNone, kNone});
-  pending_at_[2 * k + side(bound)] = static_cast<std::uint32_t>(pending_.size());
-  pending_.push_back({k, bound});
-}
-
-void Propagation::remove_pending(Constraint k, Bound bound) {
-  const std::uint32_t place = pending_at_[2 * k + side(bound)];
-  if (place == kNone) return;
-  log({Write::kPendingRemoved, bound, false, k, 0, kNone, kNone});
-  const Pending last = pending_.back();
-  pending_[place] = last;
-  pending_at_[2 * last.constraint + side(last.bound)] = place;
-  pending_at_[2 * k + side(bound)] = kNone;
-  pending_.pop_back();
 }
 
 }  // namespace skein::temporal

@@ -9,8 +9,11 @@
 #include <vector>
 
 #include "arc_table.hpp"
+#include "cause_trees.hpp"
+#include "pending_constraints.hpp"
 #include "skein/temporal/network.hpp"
 #include "skein/temporal/stn_engine.hpp"
+#include "undo_log.hpp"
 
 namespace skein::temporal {
 
@@ -18,15 +21,6 @@ constexpr Bound opposite(Bound bound) {
   return bound == Bound::kLower ? Bound::kUpper : Bound::kLower;
 }
 
-/// Values tied to the origin lie within ±kLargest; the others are offsets from kFloating, far
-/// below, as if a virtual source were at -∞: so a cycle among nodes not tied to v0 is found too.
-inline constexpr Ticks kFloating = -(Ticks{1} << 62);
-constexpr bool anchored(Ticks value) { return value >= -kLargest; }
-/// The date that a stored value stands for.
-constexpr Ticks to_date(Bound bound, Ticks value) {
-  if (!anchored(value)) return bound == Bound::kLower ? kMinusInfinite : kInfinite;
-  return bound == Bound::kLower ? value : -value;
-}
 /// kEmptyInterval, kOverflow or nothing.
 std::optional<StnError> check_interval(Ticks min, Ticks max);
 
@@ -45,10 +39,7 @@ class Propagation {
     NodeIndex node;
     Bound bound;
   };
-  struct Pending {
-    Constraint constraint;
-    Bound bound;
-  };
+  using Pending = PendingConstraints::Pending;
 
   /// The origin only. `literal_upper_test`: erratum 1 of the paper, for mutation tests.
   explicit Propagation(bool literal_upper_test = false);
@@ -68,25 +59,25 @@ class Propagation {
   void relax();
   void propagate();
 
-  bool consistent() const { return pending_.empty(); }
-  Ticks value(NodeIndex node, Bound bound) const { return at(node, bound).value; }
+  bool consistent() const { return pending().empty(); }
+  Ticks value(NodeIndex node, Bound bound) const { return trees_.at(node, bound).value; }
   Ticks date(NodeIndex node, Bound bound) const { return to_date(bound, value(node, bound)); }
   /// The import that the chain of causes starts from, else kNone.
-  NodeIndex root(NodeIndex node, Bound bound) const { return at(node, bound).root; }
-  Constraint cause(NodeIndex node, Bound bound) const { return at(node, bound).cause; }
-  const std::vector<Pending>& pending() const { return pending_; }
+  NodeIndex root(NodeIndex node, Bound bound) const { return trees_.at(node, bound).root; }
+  Constraint cause(NodeIndex node, Bound bound) const { return trees_.at(node, bound).cause; }
+  const std::vector<Pending>& pending() const { return pending_.all(); }
   const ArcTable& arcs() const { return arcs_; }
 
   /// The bounds that were reset since the last call.
   std::vector<BoundRef> take_resets();
   void forget_resets() { resets_.clear(); }
   /// The bounds with a net change since the last call, in the order of their first change.
-  void take_changes(std::vector<BoundChange>& changes);
+  void take_changes(std::vector<BoundChange>& changes) { trees_.take_changes(changes); }
 
   /// Undo. While at least one mark is open every write is logged.
-  void mark();
+  void mark() { log_.mark(); }
   void undo_to_mark();  ///< the mark stays
-  void drop_mark();
+  void drop_mark() { log_.drop_mark(); }
 
   /// Whether a date passed ±kLargest in the last `propagate()`. The constraint is then pending.
   bool overflowed() const { return overflowed_; }
@@ -96,18 +87,6 @@ class Propagation {
   void shrink();
 
  private:
-  struct State {
-    Ticks value = kFloating;
-    Constraint cause = kNone;
-    NodeIndex root = kNone;
-    std::uint32_t child = kNone;  ///< first effect; the next ones are its siblings
-    std::uint32_t next = kNone;
-    std::uint32_t previous = kNone;
-    bool stale = false;
-    bool queued = false;
-    bool deferred = false;
-    bool changed = false;
-  };
   struct Item {
     std::uint32_t id;  ///< of a constraint or of a node
     Bound bound;
@@ -130,33 +109,6 @@ class Propagation {
     std::vector<Item> items_;
     std::size_t head_ = 0;
   };
-  enum class Write : std::uint8_t {
-    kState,
-    kStale,
-    kWeight,
-    kPendingAdded,
-    kPendingRemoved,
-    kNodeAdded,
-    kArcAdded,
-    kArcRemoved,
-  };
-  struct Undo {
-    Write write;
-    Bound bound;
-    bool stale;
-    std::uint32_t id;
-    Ticks value;
-    std::uint32_t cause;
-    std::uint32_t root;
-  };
-  struct Changed {
-    std::uint32_t state;
-    Ticks old_value;
-  };
-
-  State& at(NodeIndex node, Bound bound) { return states_[2 * node + side(bound)]; }
-  const State& at(NodeIndex node, Bound bound) const { return states_[2 * node + side(bound)]; }
-
   void set_weight(Constraint k, Ticks weight);
 
   void process(Item item);
@@ -164,48 +116,25 @@ class Propagation {
   void revise_from(NodeIndex node, Bound bound);
   void revise(Constraint k, Bound bound);
   bool impossible(Constraint k, Bound bound, Ticks candidate);
-  /// Fills effects_ with the fresh effects of `node`, as far as the answer is no.
-  bool is_cause_of(NodeIndex node, NodeIndex effect, Bound bound);
-  void mark_effects_stale(Bound bound);
   void raise(Constraint k, Bound bound, Ticks value);
   void queue_node(NodeIndex node, Bound bound);
   void queue_constraint(Constraint k, Bound bound);
 
-  void append_effects(NodeIndex node, Bound bound, bool fresh_only);
   void reset_tree(NodeIndex root, Bound bound);
   void revise_again(NodeIndex node, Bound bound);
-  void write_state(NodeIndex node, Bound bound, Ticks value, Constraint cause, NodeIndex root);
-  void link_effect(NodeIndex node, Bound bound);
-  void unlink_effect(NodeIndex node, Bound bound);
-  void note_change(NodeIndex node, Bound bound);
-
-  bool is_pending(Constraint k, Bound bound) const {
-    return pending_at_[2 * k + side(bound)] != kNone;
-  }
-  void add_pending(Constraint k, Bound bound);
-  void remove_pending(Constraint k, Bound bound);
-
-  void log(Undo undo) {
-    if (!marks_.empty()) log_.push_back(undo);
-  }
   void undo(const Undo& undo);
-  void undo_state(const Undo& undo);
 
   bool literal_upper_test_;
   ArcTable arcs_;
   std::vector<bool> imported_;
-  std::vector<State> states_;
-  std::vector<std::uint32_t> pending_at_;  ///< of (constraint, bound), its place in pending_
-  std::vector<Pending> pending_;
-  std::vector<std::vector<NodeIndex>> trails_;  ///< as states_, when there are imports
+  CauseTrees trees_;
+  PendingConstraints pending_;
+  std::vector<std::vector<NodeIndex>> trails_;  ///< of each bound, when there are imports
   Queue queue_;
   Queue deferred_;  ///< from nodes not tied to the origin: they wait for the others
   std::vector<Constraint> weakened_;
   std::vector<BoundRef> resets_;
-  std::vector<Changed> changed_;
-  std::vector<NodeIndex> effects_;  ///< scratch
-  std::vector<Undo> log_;
-  std::vector<std::size_t> marks_;
+  UndoLog log_;
   std::uint64_t checks_ = 0;
   bool overflowed_ = false;
 };
