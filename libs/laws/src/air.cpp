@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "checks.hpp"
+#include "radio_limits.hpp"
 #include "skein/journal/hand_on.hpp"
 #include "skein/journal/lines/deliberation.hpp"
 #include "skein/laws/air_history.hpp"
-#include "skein/scenario/narrowest.hpp"
 
 namespace skein::laws {
 
@@ -61,15 +61,11 @@ bool all_are_heard(const History& history, double since, double until) {
 }
 
 /// How long two may wait for each other where everybody hears everybody [s]: what they decide in,
-/// and on narrow links the words for that, one after the other: for whom one waits, what another
-/// asks for to get out of the way, the answer.
+/// and on narrow links the words for that: for whom one waits, what another asks for to get out of
+/// the way, the answer.
 double longest_of_two(const scenario::RadioSpec& radio) {
   constexpr double kDecides = 2;  // [s]
-  constexpr double kWords = 3;
-  constexpr double kWord = 8.0 * 2 * 450;  // [bit] with its frame, and as much of what shares it
-  const auto least = scenario::narrowest(radio);
-  const double links = radio.relays.empty() ? 1 : 2;
-  return kDecides + (least ? kWords * links * kWord / *least : 0);
+  return kDecides + airtime_of_words_on_air(radio);
 }
 
 }  // namespace

@@ -110,12 +110,12 @@ bool somebody_holds(const History& history) {
   });
 }
 
-// For how much of that time somebody heard this one [s], most of anybody.
-double heard_for(const History& history, const std::string& name, double since, double until) {
-  double most = history.joint.up_for(name, "ground", since, until);
-  for (const auto& [other, uav] : history.uavs)
-    if (other != name) most = std::max(most, history.joint.up_for(name, other, since, until));
-  return most;
+// For how much of that time the one who waits could hear of the other [s]: from itself, or from the
+// ground station, which passes its words on. Others do not.
+double heard_of_for(const History& history, const std::string& other, const std::string& waiting,
+                    double since, double until) {
+  return std::max(history.joint.up_for(other, "ground", since, until),
+                  history.joint.up_for(other, waiting, since, until));
 }
 
 // For how much of that time it decided for itself where to be [s]: below degree 4 it stays where
@@ -131,14 +131,15 @@ double at_will_for(const Uav& uav, double since, double until) {
 }
 
 // For how much of that time it reached the ground station, and nobody for whom it waited was out of
-// reach of all (that one may still be there, for all that anybody knows) or an operator's [s].
+// its and the ground's reach (that one may still be there, for all that it knows) or an operator's
+// [s].
 double might_begin_for(const History& history, const std::string& name, double since,
                        double until) {
   double seconds = history.joint.up_for(name, "ground", since, until);
   for (const AirWait& wait : history.air.waits) {
     if (wait.uav != name || wait.at < since || wait.at > until) continue;
     for (const std::string& other : wait.for_others) {
-      seconds = std::min(seconds, heard_for(history, other, since, until));
+      seconds = std::min(seconds, heard_of_for(history, other, name, since, until));
       const auto known = history.uavs.find(other);
       if (known != history.uavs.end())
         seconds = std::min(seconds, at_will_for(known->second, since, until));

@@ -18,6 +18,16 @@ inline Duration airtime_of_an_event(const scenario::RadioSpec& radio) {
   return least ? Duration::seconds(kEvent / *least) : Duration();
 }
 
+/// Time on the narrowest link of three words on the air of ways, one after the other, and as much
+/// again of what shares it [s]; 0: all are unlimited.
+inline double airtime_of_words_on_air(const scenario::RadioSpec& radio) {
+  constexpr double kWords = 3;
+  constexpr double kWord = 8.0 * 2 * 450;  // [bit] with its frame
+  const auto least = scenario::narrowest(radio);
+  const double links = radio.relays.empty() ? 1 : 2;
+  return least ? kWords * links * kWord / *least : 0;
+}
+
 /// So often may a healthy radio break a law.
 constexpr double kHardlyEver = 1e-6;
 

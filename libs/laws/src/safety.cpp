@@ -2,10 +2,12 @@
 // Closed air and energy, by where the vehicles really were and what they really had.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "by_hand.hpp"
 #include "checks.hpp"
+#include "radio_limits.hpp"
 #include "skein/world/segment.hpp"
 
 namespace skein::laws {
@@ -39,14 +41,22 @@ struct Stay {
 };
 
 /// For how much of that time a fault lets it begin no flight [s].
-double kept_from_flying(const History& history, const Uav& uav, const Stay& stay) {
+double kept_from_flying(const History& history, const Uav& uav, double from, double until) {
   double total = 0;
   for (const scenario::AbortSpec& fault : history.scenario->faults.aborts) {
     if (fault.uav != uav.name() || fault.type != "goto") continue;
-    const double from = std::max(stay.from, fault.at.to_seconds());
-    total += std::max(0.0, std::min(stay.until, (fault.at + fault.lasts).to_seconds()) - from);
+    const double begin = std::max(from, fault.at.to_seconds());
+    total += std::max(0.0, std::min(until, (fault.at + fault.lasts).to_seconds()) - begin);
   }
   return total;
+}
+
+/// In how many seconds one turns away from air that is closed across its way [s].
+double time_to_turn_away(const scenario::Scenario& scenario) {
+  constexpr double kTurns = 12;
+  const bool asks = scenario.separation && scenario.separation->merge;
+  return kTurns + (scenario.planning ? scenario.planning->takes_most.to_seconds() : 0) +
+         (asks ? airtime_of_words_on_air(scenario.radio) : 0);
 }
 
 // One that cannot hover climbs in circles over its pad: once off the ground it has no other way.
@@ -101,18 +111,24 @@ bool out_of_control(const Uav& uav, double at) {
 }
 
 std::vector<Violation> in_closed_air(const History& history) {
-  constexpr double kTurns = 12;  // [s] in which what comes across its way cannot be avoided
-  const auto& planning = history.scenario->planning;
-  const double no_choice = kTurns + (planning ? planning->takes_most.to_seconds() : 0);
+  const double no_choice = time_to_turn_away(*history.scenario);
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
     if (history.was_killed(name)) continue;
     for (const Closing& closing : uav.closings) {
+      std::optional<double> leaves_since;
       for (const Stay& stay : stays_in(uav, closing, is_on_its_own)) {
-        const bool caught = stay.stood || stay.from <= closing.known + no_choice ||
-                            climbed_then(uav, stay.from, closing.known);
-        const double allowed =
-            caught ? time_to_leave(uav, stay.deepest) + kept_from_flying(history, uav, stay) : 0;
+        const auto kept = [&](double from, double until) {
+          return kept_from_flying(history, uav, from, until);
+        };
+        // On its way out, in circles say, it may come through it again.
+        const double to_leave = time_to_leave(uav, stay.deepest);
+        const bool leaves =
+            leaves_since && stay.from <= *leaves_since + to_leave + kept(*leaves_since, stay.from);
+        const bool caught = stay.stood || leaves || climbed_then(uav, stay.from, closing.known) ||
+                            stay.from <= closing.known + no_choice + kept(closing.known, stay.from);
+        if (!leaves) leaves_since = stay.from;
+        const double allowed = caught ? to_leave + kept(stay.from, stay.until) : 0;
         const bool short_enough = caught && stay.until - stay.from <= allowed;
         if (short_enough || was_left_by_hand(history, uav, stay.from)) continue;
         const std::string where =

@@ -69,6 +69,54 @@ TEST(ClosedAir, WhileAFaultAbortsAllFlightsNobodyLeaves) {
   EXPECT_THAT(told("heliv", "goto"), ElementsAre(HasSubstr("stays")));
 }
 
+// Found by random missions (--merged 988010): a helicopter that hung at the edge of smoke wavered
+// 5 m into it 30 s after it had come.
+TEST(ClosedAir, WhatCanBeginNoFlightSinceThenMayWaverIntoIt) {
+  const auto wavers_while_refused = [](double seconds) {
+    Story story("", kClosing);
+    story.refuses(40, "marvin", "goto", seconds);
+    story.flies("marvin", 0, 149, {150, 102, 40}, {150, 102, 40});
+    story.flies("marvin", 150, 159, {150, 95, 40}, {150, 95, 40});
+    story.flies("marvin", 160, 170, {150, 102, 40}, {150, 150, 40}).step(50, "close", "marvin");
+    return story.broken("closed-air");
+  };
+
+  EXPECT_THAT(wavers_while_refused(120), IsEmpty());
+  EXPECT_THAT(wavers_while_refused(60), ElementsAre(HasSubstr("into 'smoke'")));
+}
+
+// A blimp that rises out of smoke in circles (--anything --capacity 9600 984025).
+TEST(ClosedAir, OnItsWayOutOneMayComeThroughItAgain) {
+  const auto comes_again = [](double at) {
+    Story story("", kClosing);
+    story.flies("marvin", 0, 60, {150, 95, 40}, {150, 95, 40});
+    story.flies("marvin", 61, at - 1, {150, 104, 40}, {150, 104, 40});
+    story.flies("marvin", at, at + 4, {150, 95, 40}, {150, 95, 40});
+    story.flies("marvin", at + 5, at + 15, {150, 104, 40}, {150, 150, 40});
+    return story.step(50, "close", "marvin").broken("closed-air");
+  };
+
+  EXPECT_THAT(comes_again(68), IsEmpty());
+  EXPECT_THAT(comes_again(120), ElementsAre(HasSubstr("into 'smoke'")));
+}
+
+// Found by random missions (--anything --capacity 9600 984025): a blimp that climbed beside smoke
+// circled into it while its question for air was on its way.
+TEST(ClosedAir, OverANarrowRadioItTakesThreeWordsMoreToTurnAway) {
+  const auto comes_into_it = [](double after, double capacity, bool asks) {
+    Story story("", kClosing + std::string(asks ? "separation: {}\n" : ""));
+    story.capacity(capacity).flies("marvin", 0, 49 + after, {-500, 50, 40}, {99, 50, 40});
+    story.flies("marvin", 50 + after, 52 + after, {102, 50, 40}, {106, 50, 40});
+    story.flies("marvin", 53 + after, 80, {95, 50, 40}, {90, 50, 40}).step(50, "close", "marvin");
+    return story.broken("closed-air");
+  };
+
+  EXPECT_THAT(comes_into_it(13, 9'600, true), IsEmpty());  // 2.25 s
+  EXPECT_THAT(comes_into_it(15, 9'600, true), ElementsAre(HasSubstr("into 'smoke'")));
+  EXPECT_THAT(comes_into_it(13, 57'600, true), ElementsAre(HasSubstr("into 'smoke'")));
+  EXPECT_THAT(comes_into_it(13, 9'600, false), ElementsAre(HasSubstr("into 'smoke'")));
+}
+
 // Found by random missions (--anything 15): a robot whose home is closed drove out of it.
 TEST(ClosedAir, WhoStoodInItAtFirstMayLeaveButNotStay) {
   const auto leaves_after = [](double seconds) {
