@@ -104,7 +104,10 @@ void Jobs::start_repair() {
   if (failed != remaining.end()) {
     request.failed = book_.goals.at(*failed).task;
     request.failed_at = static_cast<std::size_t>(failed - remaining.begin());
+    const mission::MissionId mission = book_.goals.at(*failed).mission;
     remaining.erase(failed);
+    for (const GoalId id : remaining)
+      if (book_.goals.at(id).mission == mission) request.given_with_failed.insert(id);
   }
   request.remaining = book_.tasks_of(remaining);
   if (request.base.situation.airborne) request.retreat = own_goals_.next(kComeDown);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "flight/landing_place.hpp"
 #include "flight/retreat.hpp"
@@ -69,13 +70,12 @@ class Repair {
   bool drop() {
     outcome_.dropped.push_back({request_.failed->id, why_failed()});
     Goals order;
-    const std::size_t cut = position_of_failed();
-    const std::size_t end = end_of_dependents(cut);
-    for (std::size_t i = 0; i < request_.remaining.size(); ++i) {
-      if (i < cut || i >= end)
-        order.push_back(request_.remaining[i]);
+    const std::set<mission::GoalId> dependents = dependents_of_failed();
+    for (const mission::HighLevelTask& goal : request_.remaining) {
+      if (!dependents.contains(goal.id))
+        order.push_back(goal);
       else
-        outcome_.dropped.push_back({request_.remaining[i].id, "depends on what failed"});
+        outcome_.dropped.push_back({goal.id, "depends on what failed"});
     }
     if (!can_stand_alone(order)) {
       outcome_.before.emplace_back("drop: nothing is left");
@@ -179,12 +179,25 @@ class Repair {
            in_one_line(judge_.of(with_failed()).reasons);
   }
 
-  /// Behind the tasks that are about the place of the one that failed: those without a place that
-  /// follow it. On the ground all depend on the only takeoff.
-  std::size_t end_of_dependents(std::size_t from) {
+  /// What was to be done at the place of the one that failed: those of its mission without a place
+  /// that follow it. On the ground all depend on the only takeoff.
+  std::set<mission::GoalId> dependents_of_failed() {
+    const std::size_t from = position_of_failed();
+    std::set<mission::GoalId> dependents;
+    const bool takes_off = roles_.of(*request_.failed) == Role::kTakesOff;
+    const bool placed = !takes_off && !gates_of(*request_.failed, base_).empty();
+    const std::size_t end = takes_off ? end_without_takeoff(from)
+                            : placed  ? end_without_place(from)
+                                      : from;
+    for (std::size_t i = from; i < end; ++i) {
+      const mission::GoalId id = request_.remaining[i].id;
+      if (takes_off || request_.given_with_failed.contains(id)) dependents.insert(id);
+    }
+    return dependents;
+  }
+
+  std::size_t end_without_place(std::size_t from) {
     const Goals& goals = request_.remaining;
-    if (roles_.of(*request_.failed) == Role::kTakesOff) return end_without_takeoff(from);
-    if (gates_of(*request_.failed, base_).empty()) return from;
     std::size_t end = from;
     while (end < goals.size() && roles_.of(goals[end]) == Role::kFree &&
            gates_of(goals[end], base_).empty())

@@ -32,6 +32,7 @@ RepairRequest request_of(const Lab& lab, Goals remaining,
                          std::optional<mission::HighLevelTask> failed = {}, std::size_t at = 0) {
   RepairRequest request;
   request.base = lab.base();
+  for (const mission::HighLevelTask& goal : remaining) request.given_with_failed.insert(goal.id);
   request.remaining = std::move(remaining);
   request.failed = std::move(failed);
   request.failed_at = at;
@@ -119,6 +120,23 @@ TEST(Repair, WhatWasToBeDoneAtThePlaceOfADroppedTaskIsDroppedWithIt) {
   EXPECT_EQ(outcome.served, RepairStep::kDrop);
   EXPECT_THAT(ids(outcome.order), ElementsAre(3, 4));
   EXPECT_THAT(dropped_of(outcome), ElementsAre(1, 2));
+}
+
+// Found by random missions (--merged 944128): two looks of another mission, which may be taken
+// anywhere, were dropped with a meeting that came before them in the plan.
+TEST(Repair, WhatAnotherMissionWantsDoneAnywhereIsNotDroppedWithIt) {
+  Lab lab = eastern();
+  lab.straight.blocked = {"B"};
+  RepairRequest request =
+      request_of(lab, {Lab::stay(2, 60), Lab::stay(3, 5), Lab::stay(4, 5), Lab::visit(5, "C")},
+                 Lab::visit(1, "B"));
+  request.given_with_failed = {mission::GoalId(2), mission::GoalId(4), mission::GoalId(5)};
+
+  const auto outcome = repair(lab, request);
+
+  EXPECT_EQ(outcome.served, RepairStep::kDrop);
+  EXPECT_THAT(ids(outcome.order), ElementsAre(3, 5));
+  EXPECT_THAT(dropped_of(outcome), ElementsAre(1, 2, 4));
 }
 
 TEST(Repair, ATaskThatWasRefinedOftenEnoughIsDroppedWithoutAPlanForIt) {

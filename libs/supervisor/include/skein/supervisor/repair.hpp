@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,8 @@ struct RepairRequest {
   bool failed_goes_behind = false;
   std::vector<mission::HighLevelTask> remaining;  ///< in the order of the plan, without `failed`
   std::size_t failed_at = 0;                      ///< position of `failed` among them
+  /// Of `remaining`, those of the mission of `failed`: what is done in place there depends on it.
+  std::set<mission::GoalId> given_with_failed;
   /// The landing for kReturn. Absent: the domain has no such task, or the UAV is on the ground.
   std::optional<mission::HighLevelTask> retreat;
 };
