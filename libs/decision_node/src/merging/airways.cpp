@@ -80,6 +80,15 @@ std::vector<Vector3> from_aside(const std::vector<Vector3>& points) {
   return result;
 }
 
+/// Likewise, down at once: of one that cannot hover the way to a pattern was planned from down
+/// there, so that it comes into its first lane along it.
+std::vector<Vector3> down_at_once(const std::vector<Vector3>& points) {
+  if (points[0].z() < points[1].z() + kStep / 2) return points;
+  std::vector<Vector3> result = points;
+  result.insert(result.begin() + 1, {points[0].x(), points[0].y(), points[1].z()});
+  return result;
+}
+
 /// Who is nearer than the margin to closed air may fly away from there, and comes no nearer.
 double kept_from(const world::Volume& volume, double margin, const Vector3& start) {
   const double above = std::max({volume.floor - start.z(), start.z() - volume.ceiling, 0.0});
@@ -117,6 +126,8 @@ Airways flights(const functional::Request& request, const elementary::GotoTask& 
   points.insert(points.end(), task.waypoints.begin(), task.waypoints.end());
   const std::vector<Vector3> level = situation.aside ? from_aside(points) : points;
   Airways all;
+  if (level != points && !margins.hovers && is_clear(down_at_once(points), margins.way, situation))
+    all.push_back(flight(request, down_at_once(points), margins, 0));
   if (level != points && is_clear(level, margins.way, situation))
     all.push_back(flight(request, level, margins, 0));
   all.push_back(flight(request, points, margins, 0, !situation.passing));

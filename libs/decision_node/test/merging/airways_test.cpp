@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "skein/elementary/parameter_reader.hpp"
 #include "testing/merged_team.hpp"
 
 namespace skein::decision_node {
@@ -13,6 +16,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using world::Vector3;
 
 /// Over ground of that elevation, all around it to its height and above taken.
 std::vector<double> heights_aside(double elevation) {
@@ -32,6 +36,38 @@ std::vector<double> heights_aside(double elevation) {
   for (const Airway& one : ways_aside(functional::TaskId(1), {taken}, config, situation))
     heights.push_back(one.end->z());
   return heights;
+}
+
+/// Where it comes down, of the way that is asked for first by one that got out of the way upwards.
+Vector3 comes_down_at(bool hovers) {
+  world::TerrainSpec ground;
+  ground.west = ground.south = -1'000;
+  ground.east = ground.north = 1'000;
+  MergingConfig config;
+  config.model = testing::quick_helicopter();
+  config.model.hovers = hovers;
+  config.model.min_turn_radius = config.model.orbit_radius = hovers ? 0 : 40;
+  config.terrain = std::make_shared<const world::Terrain>(ground);
+  AirwaySituation situation;
+  situation.state.position = {0, 0, 64};
+  situation.state.airborne = true;
+  situation.rest = situation.state.position;
+  situation.aside = true;
+  functional::Request request;
+  request.id = functional::TaskId(7);
+  request.type = "goto";
+  request.parameters.add(elementary::points_parameter("waypoints", {{200, 0, 40}, {400, 0, 40}}));
+  const auto airways = airways_of(request, true, config, situation);
+  EXPECT_TRUE(airways && !airways->empty());
+  const auto& way = airways->front().way->points();
+  return *std::find_if(way.begin(), way.end(), [](const Vector3& at) { return at.z() < 41; });
+}
+
+// Found by random missions (--anything --minds 984106): a plane came down in circles where its
+// first lane began, and into that across it: 96.2 % of the zone were mapped.
+TEST(WayFromAside, LeadsDownAtOnceWhoCannotHoverAndOthersWhereTheyBegin) {
+  EXPECT_EQ(comes_down_at(false), Vector3(0, 0, 40));
+  EXPECT_EQ(comes_down_at(true), Vector3(200, 0, 40));
 }
 
 // Found by random missions (--crossing 610510): others flew over it and around it.
