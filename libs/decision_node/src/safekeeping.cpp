@@ -142,6 +142,9 @@ void Safekeeping::come_home() {
   if (end)
     core_.bus().emit(Notice{
         "flies its way to the end before it comes home: nobody can be asked for air on another"});
+  else if (home != pad)
+    core_.bus().emit(
+        Notice{"its pad does not serve to land on: it comes down on the nearest ground that does"});
   if (!end || (*end - home).norm() > kAtHome) {
     way_home_ = way_to(home, end ? end : seen_at_);
     if (knows_world()) way_home_among_ = core_.deliberation().world()->volumes;
@@ -153,13 +156,8 @@ void Safekeeping::come_home() {
 // On air that is kept free for it nobody can be asked for other air.
 world::Vector3 Safekeeping::over_landing_place(const world::Vector3& pad) const {
   if (!knows_world() || core_.config().drives) return pad;
-  const world::Vector3 over =
-      supervisor::over_landing_place(*core_.config().knowledge, *core_.deliberation().world(),
-                                     core_.bus().now(), seen_at_.value_or(pad), pad);
-  if (over != pad)
-    core_.bus().emit(
-        Notice{"its pad is too steep to land on: it comes down on the nearest ground that serves"});
-  return over;
+  return supervisor::over_landing_place(*core_.config().knowledge, *core_.deliberation().world(),
+                                        core_.bus().now(), seen_at_.value_or(pad), pad);
 }
 
 std::vector<world::Vector3> Safekeeping::way_to(const world::Vector3& home,
@@ -270,7 +268,10 @@ void Safekeeping::look_ahead(const world::Vector3& at) {
   const auto ahead = closed(way_home_);
   if (!ahead) return;
   const std::string why = "the air on its way home is closed (volume '" + *ahead + "'): ";
-  if (closed(way_to(way_home_.back(), at)))
+  const auto& place = core_.config().home;
+  const world::Vector3 pad(place.at(0), place.at(1), place.at(2));
+  const bool asked = core_.merging().way_home_begins().has_value();
+  if (closed(way_to(asked ? way_home_.back() : over_landing_place(pad), at)))
     return core_.bus().emit(Notice{why + "there is no way around it"});
   core_.bus().emit(PolicyCarriedOut{ContactPolicy::kReturn, why + "around it"});
   keep(ContactPolicy::kReturn);

@@ -3,6 +3,8 @@
 // Source: T II.1.2, spec 1.2, 2.6.
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "testing/kept_uav.hpp"
 
 namespace skein::decision_node {
@@ -190,18 +192,42 @@ TEST(OutOfContact, TheWayHomeGoesAroundAirThatClosesAheadMeanwhile) {
   EXPECT_THAT(uav.news(), ElementsAre("dispatch land"));
 }
 
-TEST(OutOfContact, WhereThereIsNoWayAroundItSaysSoAndComesHomeAllTheSame) {
-  KeptUav uav(of(ContactPolicy::kReturn));
-  uav.flies_at({300, 0, 50});
+/// On its way home from `from`, the air around its pad is closed that far away [m].
+std::vector<std::string> when_home_closes(KeptUav& uav, const world::Vector3& from, double radius) {
+  uav.flies_at(from);
   uav.give(Contact{KeptUav::kGround, true, false});
   uav.at(30);
   uav.news();
-
-  uav.command(mission::ChangeWorld{closed("home", {0, 0, 0}, 60)});
+  uav.command(mission::ChangeWorld{closed("home", {0, 0, 0}, radius)});
   uav.at(40);
   uav.at(41);
+  return uav.news();
+}
 
-  EXPECT_THAT(uav.news(),
+// Found by random missions (--anything 984201): one came home into smoke that it knew of.
+TEST(OutOfContact, WhereTheAirOverItsPadIsClosedItComesDownOnTheNearestGroundThatServes) {
+  KeptUav uav(of(ContactPolicy::kReturn));
+
+  const auto news = when_home_closes(uav, {300, 0, 50}, 60);
+
+  EXPECT_THAT(
+      news,
+      ElementsAre("policy return: the air on its way home is closed (volume 'home'): around it",
+                  "notice: its pad does not serve to land on: it comes down on the nearest ground "
+                  "that does",
+                  "interrupt goto", "dispatch goto"));
+  const std::vector<double> way = uav.last_way();
+  const double from_pad = std::hypot(way.at(way.size() - 3), way.at(way.size() - 2));
+  EXPECT_GT(from_pad, 60);
+  EXPECT_LT(from_pad, 150);
+  uav.ends("goto");
+  EXPECT_THAT(uav.news(), ElementsAre("dispatch land"));
+}
+
+TEST(OutOfContact, WhereNoGroundNearServesItSaysSoAndComesHomeAllTheSame) {
+  KeptUav uav(of(ContactPolicy::kReturn));
+
+  EXPECT_THAT(when_home_closes(uav, {900, 0, 50}, 700),
               ElementsAre("notice: the air on its way home is closed (volume 'home'): there is no "
                           "way around it"));
 }

@@ -25,8 +25,15 @@ double astray(const Knowledge& knowledge, const world::World& world) {
   return arrival_distance(vehicle, world.wind) + (vehicle.hovers ? 0 : vehicle.orbit_radius);
 }
 
+Vector3 ground_at(const world::World& world, const Vector2& at) {
+  return {at.x(), at.y(), world.terrain.elevation(at.x(), at.y())};
+}
+
+}  // namespace
+
 const world::Volume* closed_over(const Knowledge& knowledge, const world::World& world,
-                                 world::TimeWindow when, const Vector3& ground) {
+                                 world::TimeWindow when, const Vector3& at) {
+  const Vector3 ground = ground_at(world, at.head<2>());
   const Vector3 above = ground + Vector3(0, 0, knowledge.altitude);
   const double margin = knowledge.vehicle.body_radius +
                         (knowledge.vehicle.hovers ? 0 : knowledge.vehicle.orbit_radius);
@@ -37,17 +44,11 @@ const world::Volume* closed_over(const Knowledge& knowledge, const world::World&
   return found == world.volumes.end() ? nullptr : &*found;
 }
 
-Vector3 ground_at(const world::World& world, const Vector2& at) {
-  return {at.x(), at.y(), world.terrain.elevation(at.x(), at.y())};
-}
-
-}  // namespace
-
 std::optional<std::string> landing_problem(const Knowledge& knowledge, const world::World& world,
                                            world::TimeWindow when, const Vector3& at) {
   if (auto steep = world::landing_problem(world.terrain, at.head<2>(), astray(knowledge, world)))
     return steep;
-  if (const auto* volume = closed_over(knowledge, world, when, ground_at(world, at.head<2>())))
+  if (const auto* volume = closed_over(knowledge, world, when, at))
     return "the air over it is closed (volume '" + volume->name + "')";
   return std::nullopt;
 }

@@ -16,6 +16,11 @@ namespace skein::supervisor {
 std::optional<std::string> landing_problem(const Knowledge& knowledge, const world::World& world,
                                            world::TimeWindow when, const world::Vector3& at);
 
+/// The volume that closes the air over a place at some time in `when`, up to the height from which
+/// the vehicle comes; null if there is none.
+const world::Volume* closed_over(const Knowledge& knowledge, const world::World& world,
+                                 world::TimeWindow when, const world::Vector3& at);
+
 /// The landing place nearest to `wanted`, of equally near ones the nearest to `from`; `wanted`
 /// itself if the vehicle can land there. On the ground [m] ENU; absent: none within 600 m. Cost:
 /// some thousand calls of landing_problem() at most.

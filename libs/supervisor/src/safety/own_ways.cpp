@@ -26,6 +26,12 @@ bool closes_around(const world::Volume& volume, const world::VehicleModel& vehic
          crosses(volume, vehicle.body_radius + stay_radius(vehicle), at, at);
 }
 
+Duration time_for(const std::vector<Vector3>& way, const world::VehicleModel& vehicle) {
+  double length = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) length += (way[i] - way[i - 1]).norm();
+  return Duration::seconds(length / vehicle.cruise_speed) + kWarning;
+}
+
 }  // namespace
 
 std::optional<WayOut> way_out(const std::shared_ptr<const Knowledge>& knowledge,
@@ -59,13 +65,14 @@ std::vector<Vector3> own_way(const std::shared_ptr<const Knowledge>& knowledge,
   return way && way->way.size() > 1 ? way->way : std::vector<Vector3>{from, to};
 }
 
-// Closed or not, home is where it comes down.
 Vector3 over_landing_place(const Knowledge& knowledge, const world::World& world, MissionTime now,
                            const Vector3& from, const Vector3& home) {
   const auto ground = [&](const Vector3& at) { return world.terrain.elevation(at.x(), at.y()); };
   const double astray = arrival_distance(knowledge.vehicle, world.wind);
-  if (!world::landing_problem(world.terrain, home.head<2>(), astray)) return home;
-  const auto place = landing_place(knowledge, world, {now}, from, home);
+  const world::TimeWindow when{now, now + time_for({from, home}, knowledge.vehicle)};
+  const bool steep = world::landing_problem(world.terrain, home.head<2>(), astray).has_value();
+  if (!steep && closed_over(knowledge, world, when, home) == nullptr) return home;
+  const auto place = landing_place(knowledge, world, when, from, home);
   if (!place) return home;
   return {place->x(), place->y(), ground(*place) + home.z() - ground(home)};
 }
@@ -85,12 +92,6 @@ std::vector<Vector3> rest_of(const std::vector<Vector3>& way, const Vector3& at)
   std::vector<Vector3> rest{at};
   rest.insert(rest.end(), way.begin() + static_cast<std::ptrdiff_t>(next), way.end());
   return rest;
-}
-
-Duration time_for(const std::vector<Vector3>& way, const world::VehicleModel& vehicle) {
-  double length = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) length += (way[i] - way[i - 1]).norm();
-  return Duration::seconds(length / vehicle.cruise_speed) + kWarning;
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ std::vector<world::Vector3> own_way(const std::shared_ptr<const Knowledge>& know
                                     const world::Vector3& to);
 
 /// Where a UAV that comes home on its own from `from` ends its flight: at `home`, over the pad, or
-/// where no vehicle lands on the pad because it is too steep, over the nearest ground that serves,
-/// at the same height [m, ENU]. Cost: that of some thousand looks at the ground at most.
+/// where no vehicle lands on the pad because it is too steep or the air over it is closed, over the
+/// nearest ground that serves, at the same height [m, ENU]. Cost: that of some thousand looks at the ground at most.
 world::Vector3 over_landing_place(const Knowledge& knowledge, const world::World& world,
                                   MissionTime now, const world::Vector3& from,
                                   const world::Vector3& home);
