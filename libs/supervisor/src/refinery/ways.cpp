@@ -21,6 +21,7 @@ using world::Vector3;
 namespace {
 
 constexpr double kTurnTolerance = 0.5;                        // [m]
+constexpr double kAtHome = 1;                                 // [m] level
 constexpr std::array<double, 2> kTurningRoom = {3, 5};        // turn radii to the side, for a turn
 constexpr double kOutStep = 10, kFarthestOut = 600;           // [m] out of closed air,
 constexpr std::array<double, 4> kOutAndUp = {0, 10, 20, 40};  // [m] from where it flies low
@@ -214,8 +215,7 @@ Answer<Motion> Ways::path_in(const world::Airspace& air, const Volumes& volumes,
   if (vehicle().ground) return drive(air, volumes, from, to);
   if (!air.is_free(from)) return out_and_on(from, to);
   if (from == to) return flown({from});
-  const bool returns =
-      (to - gazetteer().knowledge().home).head<2>().norm() < vehicle().orbit_radius;
+  const bool returns = (to - gazetteer().knowledge().home).head<2>().norm() < kAtHome;
   if (const auto* volume = air_.taking_room(to, volumes); volume != nullptr && !returns)
     return no("volume '" + volume->name + "' is " +
               (vehicle().hovers ? "nearer to its end than the vehicle strays"

@@ -42,6 +42,26 @@ TEST(PlanningFailures, ABlockedPlaceIsNamedWithWhatBlocksIt) {
   EXPECT_THAT(lab.reasons(), AllOf(HasSubstr("p2"), HasSubstr("'village'")));
 }
 
+// Found by random missions (--anything --capacity 9600 984025): a blimp waited for the air of its
+// next way over a place near its home, and its circles led into smoke. Home it comes in any case.
+TEST(PlanningFailures, APlaceNearHomeNeedsRoomForTheCirclesOfOneThatCannotHover) {
+  const auto plan_of = [](const std::string& task, std::vector<mission::Argument> arguments) {
+    PlanningLab lab;
+    lab.vehicle(testing::vehicle_of("scenarios/comets/models/karma.yaml"));
+    lab.flying_at({0, -300, 90});
+    lab.knowledge.home = {0, 0, 0};
+    lab.knowledge.altitude = 90;
+    lab.world.places["there"] = {0, 30, 90};
+    lab.world.volumes.push_back(volume("smoke", 18, 50, 140, 170));
+    lab.task(1, task, std::move(arguments));
+    return lab.plan() ? std::string("a plan") : lab.reasons();
+  };
+
+  EXPECT_THAT(plan_of("general-gotoxyz", {"there"s}),
+              HasSubstr("'smoke' is too near for the circles that it waits on there"));
+  EXPECT_EQ(plan_of("general-land", {}), "a plan");
+}
+
 TEST(PlanningFailures, WaysGoRoundWhatIsClosed) {
   PlanningLab lab = flying();
   lab.world.volumes.push_back(volume("tower", -20, 30, 40, 60));
