@@ -60,6 +60,12 @@ bool all_are_heard(const History& history, double since, double until) {
   });
 }
 
+/// What falls gets out of nobody's way any more.
+bool falls(const History& history, const std::string& name, double at) {
+  const auto uav = history.uavs.find(name);
+  return uav != history.uavs.end() && out_of_control(uav->second, at);
+}
+
 /// How long two may wait for each other where everybody hears everybody [s]: what they decide in,
 /// and on narrow links the words for that: for whom one waits, what another asks for to get out of
 /// the way, the answer.
@@ -95,6 +101,7 @@ std::vector<Violation> waits_for_each_other(const History& history) {
   std::map<Pair, double> since;
   const auto over = [&](const Pair& pair, double from, double until) {
     if (until - from <= longest || !all_are_heard(history, from, until)) return;
+    if (falls(history, pair.first, until) || falls(history, pair.second, until)) return;
     result.push_back({"", from, pair.first, 0,
                       "it and " + pair.second + " wait for each other for their air, for " +
                           figure(until - from) + " s"});

@@ -26,6 +26,13 @@ TEST(MutualLaw, TwoWhoWaitForEachOtherForMoreThanTwoSecondsBreakIt) {
               ElementsAre(HasSubstr("wait for each other for their air, for 5.0 s")));
 }
 
+// Found by random missions (--anything 989005).
+TEST(MutualLaw, WhoseEngineHasFailedGetsOutOfNobodysWay) {
+  EXPECT_THAT(blocked(25).fault(21, "engine", "heliv").broken("mutual"), IsEmpty());
+  EXPECT_THAT(blocked(25).fault(26, "engine", "heliv").broken("mutual"), SizeIs(1));
+  EXPECT_THAT(blocked(25).fault(21, "engine", "karma").broken("mutual"), SizeIs(1));
+}
+
 TEST(MutualLaw, WhoGetsOutOfTheWayWithinTwoSecondsKeepsIt) {
   EXPECT_THAT(blocked(21.9).broken("mutual"), IsEmpty());
 }

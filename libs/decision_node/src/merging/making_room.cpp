@@ -209,6 +209,7 @@ void Merging::leave_place() {
 /// circle nor whoever waits for it wants to go: others wait for it a little longer.
 void Merging::carry_out(const merging::MoveAside& move) {
   if (!waiting_ || waiting_->airways.empty() || !vehicle_.stays()) return;
+  if (!refused_.may_try(core_.bus().now())) return;
   const bool again = waiting_->aside_since.has_value();
   const world::Vector3 place = place_.value_or(vehicle_.place());
   const merging::Volumes ends = merger_->peers().ends();

@@ -302,23 +302,6 @@ TEST(Merging, WhoWaitsForWantOfAnythingElseMakesRoom) {
   EXPECT_THAT(states(team.notes("marvin")), ElementsAre("aside"));
 }
 
-// Found by random missions (--merged 944017): a functional layer that aborted each flight was given
-// another one every 5 s.
-TEST(Merging, AVehicleThatRefusesToIsAskedLessAndLessOften) {
-  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}}, 4);
-  team.refuse("marvin", true);
-  team.command("heliv", goto_of(7, {0, 0, 40}));
-  team.run(70);
-  EXPECT_THAT(team.given("marvin"), ::testing::AllOf(::testing::Ge(3), ::testing::Le(4)))
-      << "after 10, 20, 40 s";
-  EXPECT_FALSE(team.is_over("heliv", 7));
-
-  team.refuse("marvin", false);
-  team.run(80 + 30);
-
-  EXPECT_TRUE(team.is_over("heliv", 7));
-}
-
 TEST(Merging, WhereItsOperatorPutItAUavStays) {
   MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}}, 3);
   give_sweep(team, "heliv", goto_of(7, {0, 0, 40}));

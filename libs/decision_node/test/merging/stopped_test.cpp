@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What air has who was stopped in its takeoff or landing and circles.
+// What air has who was stopped in its takeoff or landing and circles, and who refuses to move.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::Field;
+using testing::give_sweep;
 using testing::goto_of;
 using testing::last_had;
 using testing::MergedTeam;
@@ -44,6 +45,39 @@ TEST(Merging, WhoCirclesSinceItWasStoppedMakesRoomForATakeoff) {
   team.command("heliv", takeoff_of(7, 40));
   team.run(90);
   EXPECT_TRUE(team.is_over("heliv", 7));
+}
+
+// Found by random missions (--merged 944017): a functional layer that aborted each flight was given
+// another one every 5 s.
+TEST(Merging, AVehicleThatRefusesToIsAskedLessAndLessOften) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}}, 4);
+  team.refuse("marvin", true);
+  team.command("heliv", goto_of(7, {0, 0, 40}));
+  team.run(70);
+  EXPECT_THAT(team.given("marvin"), ::testing::AllOf(::testing::Ge(3), ::testing::Le(4)))
+      << "after 10, 20, 40 s";
+  EXPECT_FALSE(team.is_over("heliv", 7));
+
+  team.refuse("marvin", false);
+  team.run(80 + 30);
+
+  EXPECT_TRUE(team.is_over("heliv", 7));
+}
+
+// Found by random missions (--anything 989005): one whose engine had failed, and who waited for
+// others that waited for it, was given a flight aside every 1.4 s.
+TEST(Merging, AVehicleThatRefusesToIsAskedLessAndLessOftenInACircleToo) {
+  MergedTeam team({{"marvin", {-100, 0, 40}}, {"heliv", {100, 0, 40}}});
+  team.refuse("heliv", true);
+  team.refuse("marvin", true);
+  give_sweep(team, "marvin", goto_of(7, {100, 0, 40}));
+  give_sweep(team, "heliv", goto_of(7, {-100, 0, 40}));
+
+  team.run(70);
+
+  for (const char* uav : {"marvin", "heliv"})
+    EXPECT_LE(team.given(uav), 4) << uav << ": after 10, 20, 40 s";
+  EXPECT_GE(team.given("marvin") + team.given("heliv"), 3);
 }
 
 }  // namespace
