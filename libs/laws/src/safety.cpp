@@ -37,7 +37,7 @@ double time_to_leave(const Uav& uav, double depth) {
 
 struct Stay {
   double from = 0, until = 0, deepest = 0;
-  bool stood = false;  ///< in there, before it set out
+  bool stood = false;  ///< in there, before it set out, or at a degree that is not judged
 };
 
 /// For how much of that time a fault lets it begin no flight [s].
@@ -78,8 +78,9 @@ std::vector<Stay> stays_in(const Uav& uav, const Closing& closing, bool (*is_jud
   std::vector<Stay> stays;
   bool inside = false, stood = false;
   for (const Sample& sample : uav.samples) {
+    const bool may_be_there = !uav.is_out(sample) || !is_judged(uav.degree(sample.at));
     const bool was_standing =
-        std::exchange(stood, !uav.is_out(sample) && depth_in(closing.volume, sample.position) > 0);
+        std::exchange(stood, may_be_there && depth_in(closing.volume, sample.position) > 0);
     const bool closed = sample.at >= closing.known && sample.at < closing.opened &&
                         sample.at < closing.volume.when.until.to_seconds();
     const double depth = closed && uav.is_out(sample) && is_judged(uav.degree(sample.at)) &&

@@ -131,6 +131,20 @@ TEST(ClosedAir, WhoStoodInItAtFirstMayLeaveButNotStay) {
   EXPECT_THAT(leaves_after(100), ElementsAre(HasSubstr("stays")));
 }
 
+// Found by random missions (--anything 984039): its operator had flown it there.
+TEST(ClosedAir, WhoIsGivenDegreeFourInItMayLeaveButNotStay) {
+  const auto leaves_after = [](double seconds) {
+    Story story(kTower);
+    story.degree("marvin", 0, 3).degree("marvin", 30, 4);
+    story.flies("marvin", 0, 30 + seconds, {150, 50, 40}, {150, 50, 40});
+    story.flies("marvin", 31 + seconds, 45 + seconds, {150, 50, 40}, {150, 150, 40});
+    return story.broken("closed-air");
+  };
+
+  EXPECT_THAT(leaves_after(5), IsEmpty());
+  EXPECT_THAT(leaves_after(100), ElementsAre(HasSubstr("stays")));
+}
+
 TEST(ClosedAir, AirThatIsOpenedAndClosedAgainWasOpenInBetween) {
   const std::string opens =
       "    - {step: open, when: {time: 60}, do: [{open_air: {name: smoke}}]}\n";
