@@ -75,12 +75,15 @@ TEST(UndoLog, OnlyWhatFollowsTheLastMarkIsUndone) {
 
 TEST(UndoLog, WhenNoMarkIsLeftAllIsForgotten) {
   UndoLog log;
-  log.mark();
-  log.add(write_of(1));
-  log.drop_mark();
+  for (std::uint32_t id = 0; id < 1'000; ++id) {
+    log.mark();
+    log.add(write_of(id));
+    log.drop_mark();
+  }
   log.mark();
 
   EXPECT_THAT(undone(log), IsEmpty());
+  EXPECT_LE(log.memory_bytes(), 10 * sizeof(Undo));
 }
 
 }  // namespace
