@@ -12,6 +12,7 @@
 #include "skein/foundation/exit_code.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/mission_lab/generate.hpp"
+#include "skein/mission_lab/rough_ground.hpp"
 #include "skein/storm_tool/series.hpp"
 #include "skein/storm_tool/shrink.hpp"
 #include "skein/storm_tool/storm.hpp"
@@ -37,7 +38,7 @@ struct Options {
        unmerged = false, sweeps = false, meetings = false, orders = false, gatherings = false,
        robots = false, relays = false, partners = false, fires = false, hands = false,
        mixed = false, anything = false, minds = false, sweepers = false, json = false,
-       minimise = false, verbose = false;
+       minimise = false, rough = false, verbose = false;
   std::size_t examples = 3;
   std::int64_t capacity = 0;
   double planning_takes = 0;
@@ -85,6 +86,7 @@ Mission drawn(std::uint64_t seed, const Options& options) {
   Mission mission = drawn_as_kind(seed, options);
   if (options.merged) mission.separation = "{merge: true}";
   if (options.unmerged) mission.separation = "{merge: false}";
+  if (options.rough) roughen(mission);
   mission.planning_takes = options.planning_takes;
   if (options.capacity > 0) {
     std::erase_if(mission.radio, [](const auto& one) { return one.starts_with("capacity:"); });
@@ -250,6 +252,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--planning-takes", options.planning_takes,
                  "each job of planning takes 0.05 s to so many seconds; 0.05 s without it")
       ->check(CLI::Range(0.05, 60.0));
+  app.add_flag("--rough", options.rough, "over mountains, of whatever kind they are");
   app.add_flag("--clean", options.clean, "missions in which nothing goes wrong");
   app.add_flag("--deaths", options.deaths,
                "daemons die in them, up to three times, and come back with what they knew");
