@@ -107,6 +107,7 @@ std::vector<Violation> fires_that_shrink(const History& history);
 bool out_of_control(const Uav& uav, double at);
 std::vector<Violation> in_closed_air(const History& history);
 std::vector<Violation> closed_air_untold(const History& history);
+std::vector<Violation> flown_into_the_ground(const History& history);
 std::vector<Violation> energy_short(const History& history);
 // on_the_ground.cpp
 std::vector<Violation> off_its_ground(const History& history);

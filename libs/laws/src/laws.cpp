@@ -86,6 +86,7 @@ std::vector<Law> all_but_team_laws() {
       {"fires", "what has burnt goes on to belong to its fire", fires_that_shrink},
       {"closed-air", "not in closed air but on the way out", in_closed_air},
       {"closed-air-told", "who is in closed air below degree 4 says so", closed_air_untold},
+      {"above-ground", "who plans flies into no ground", flown_into_the_ground},
       {"separation", "where it is asked for, UAVs in the air keep the separation of their models",
        too_near_in_the_air},
       {"energy", "never below the reserve in the air, nor on a drive", energy_short},

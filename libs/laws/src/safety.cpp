@@ -67,6 +67,8 @@ bool climbed_then(const Uav& uav, double at, double closed) {
          });
 }
 
+constexpr std::string_view kMetTheGround = "the vehicle met the ground";  // the simulator's words
+
 bool is_on_its_own(int degree) { return degree >= 4; }
 // Degree 1 included: the decision node hears what its vehicle says at any degree.
 bool is_in_a_hand(int degree) { return degree < 4; }
@@ -104,11 +106,25 @@ std::vector<Stay> stays_in(const Uav& uav, const Closing& closing, bool (*is_jud
 bool out_of_control(const Uav& uav, double at) {
   const bool broken =
       std::any_of(uav.activities.begin(), uav.activities.end(), [&](const auto& one) {
-        return one.until <= at &&
-               (one.reason == "engine failure" || one.reason == "energy used up" ||
-                one.reason == "the vehicle met the ground");
+        return one.until <= at && (one.reason == "engine failure" ||
+                                   one.reason == "energy used up" || one.reason == kMetTheGround);
       });
   return broken || uav.had_fault("engine", at);
+}
+
+std::vector<Violation> flown_into_the_ground(const History& history) {
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    for (const Activity& one : uav.activities) {
+      const bool planned =
+          is_on_its_own(uav.degree(one.from)) && is_on_its_own(uav.degree(one.until));
+      if (one.reason != kMetTheGround || !planned || uav.had_fault("engine", one.until)) continue;
+      result.push_back({"", one.until, name, 0,
+                        one.type + " " + std::to_string(one.task) + " led it into the ground"});
+      break;
+    }
+  }
+  return result;
 }
 
 std::vector<Violation> in_closed_air(const History& history) {

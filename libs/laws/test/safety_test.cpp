@@ -223,5 +223,29 @@ TEST(Energy, WhoeverRefusesToLandAsLongAsThereIsEnergyIsNotBroughtDown) {
   EXPECT_THAT(drained(18.5), ElementsAre(HasSubstr("reserve 8.0 %"))) << "told too late";
 }
 
+/// A flight that ends so after ten seconds.
+Story meets_the_ground(const std::string& reason, int degree) {
+  Story story;
+  Doing flight{100, "goto", 700, 10, 20};
+  flight.end = "aborted";
+  flight.reason = reason;
+  story.degree("marvin", 0, degree).flies("marvin", 0, 20, kOver, kFar).does("marvin", flight);
+  return story;
+}
+
+TEST(AboveGround, WhoPlansFliesIntoNoGround) {
+  EXPECT_THAT(meets_the_ground("the vehicle met the ground", 4).broken("above-ground"),
+              ElementsAre(HasSubstr("goto 100 led it into the ground")));
+  EXPECT_THAT(meets_the_ground("no way there", 4).broken("above-ground"), IsEmpty());
+}
+
+TEST(AboveGround, WhatAnOperatorFliesOrAnEngineFailsIsNotJudged) {
+  Story failed = meets_the_ground("the vehicle met the ground", 4);
+  failed.fault(15, "engine", "marvin");
+
+  EXPECT_THAT(failed.broken("above-ground"), IsEmpty());
+  EXPECT_THAT(meets_the_ground("the vehicle met the ground", 2).broken("above-ground"), IsEmpty());
+}
+
 }  // namespace
 }  // namespace skein::laws::testing
