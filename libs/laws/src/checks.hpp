@@ -113,6 +113,8 @@ std::vector<Violation> energy_short(const History& history);
 std::vector<Violation> off_its_ground(const History& history);
 /// Whether no ground of the world is too steep for the vehicle; always true if it flies.
 bool climbs_everything(const History& history, const world::VehicleModel& vehicle);
+/// Whether no ground is steeper than the vehicle climbs in flight.
+bool rises_everywhere(const History& history, const world::VehicleModel& vehicle);
 // air.cpp
 std::vector<Violation> waits_for_each_other(const History& history);
 // separation.cpp

@@ -48,14 +48,26 @@ std::vector<Violation> off_its_ground(const History& history) {
   return result;
 }
 
-bool climbs_everything(const History& history, const world::VehicleModel& vehicle) {
-  if (!vehicle.ground) return true;
-  const world::TerrainSpec& spec = history.terrain.spec();
+namespace {
+
+bool has_steeper(const world::Terrain& terrain, double slope) {
+  const world::TerrainSpec& spec = terrain.spec();
   const double step = spec.cell / 4;
   for (double x = spec.west; x <= spec.east; x += step)
     for (double y = spec.south; y <= spec.north; y += step)
-      if (history.terrain.slope(x, y) > vehicle.ground->steepest) return false;
-  return true;
+      if (terrain.slope(x, y) > slope) return true;
+  return false;
+}
+
+}  // namespace
+
+bool climbs_everything(const History& history, const world::VehicleModel& vehicle) {
+  return !vehicle.ground || !has_steeper(history.terrain, vehicle.ground->steepest);
+}
+
+bool rises_everywhere(const History& history, const world::VehicleModel& vehicle) {
+  const double steepest = std::atan2(vehicle.climb_rate, vehicle.cruise_speed);
+  return vehicle.ground || !has_steeper(history.terrain, steepest);
 }
 
 }  // namespace skein::laws

@@ -199,11 +199,19 @@ bool would_make_another_late(const History& history, const Goal& goal) {
   });
 }
 
+// Over ground that is steeper than it climbs a vehicle may find no way at the height, or with the
+// turns, that it needs.
+bool is_too_steep_for(const History& history, const Uav& uav, const std::string& why) {
+  return (says(why, "ground") || says(why, "no free way with turns")) &&
+         !rises_everywhere(history, uav.spec->model);
+}
+
 }  // namespace
 
 // In a run in which nothing goes wrong nothing fails, but what has a deadline or no device or would
 // make another miss one, waits for who never comes or has failed itself, what has no energy left
-// after those, and what one is to do that keeps to ground of which some is too steep for it.
+// after those, and what one is to do that keeps to ground of which some is too steep for it, or
+// flies over such and says so.
 std::vector<Violation> feasible_but_failed(const History& history) {
   std::vector<Violation> result;
   if (!is_clean(*history.scenario)) return result;
@@ -218,7 +226,7 @@ std::vector<Violation> feasible_but_failed(const History& history) {
       const bool in_vain = says(last.why, "does not plan to come to synchronisation") &&
                            partner_never_comes(history, uav, goal);
       if (goal.state() != "failed" || spent || in_vain || left_alone(history, uav, goal) ||
-          would_make_another_late(history, goal))
+          would_make_another_late(history, goal) || is_too_steep_for(history, uav, last.why))
         continue;
       result.push_back({"", goal.changes.back().at, name, id,
                         mission::to_text(goal.task) + " failed though nothing went wrong: \"" +

@@ -92,6 +92,20 @@ TEST(Feasible, WhatWouldMakeAnotherMissItsDeadlineIsRefused) {
   EXPECT_THAT(fails("general-land"), SizeIs(1));
 }
 
+TEST(Feasible, OverGroundSteeperThanItClimbsAVehicleMayFindNoWay) {
+  const auto fails = [](double height, const std::string& why) {
+    Story story;
+    story.hill({{600, 300}, height, 200});
+    story.goal("karma", 701, "perform-monitoring P1 60", "received", 1)
+        .goal("karma", 701, "perform-monitoring P1 60", "failed", 2, why);
+    return story.broken("feasible");
+  };
+
+  EXPECT_THAT(fails(120, "the ground is too near for its turns"), IsEmpty());
+  EXPECT_THAT(fails(120, "no"), SizeIs(1));
+  EXPECT_THAT(fails(5, "the ground is too near for its turns"), SizeIs(1));
+}
+
 TEST(Feasible, OrdersThatNeverComeAreNotWaitedForUntilItFalls) {
   const auto fails = [](const std::string& statement, const std::string& why) {
     Story story;

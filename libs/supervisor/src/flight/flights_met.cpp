@@ -2,11 +2,39 @@
 #include "flight/flights_met.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numbers>
 
 #include "flight/closed_air.hpp"
 
 namespace skein::supervisor {
+
+namespace {
+
+using IsMet = std::function<bool(const world::Vector3& at)>;
+
+/// Of flights from these poses, each also so often with errors and gusts, and of the circles at
+/// their ends.
+bool some_meets(const IsMet& is_met, const refiners::Way& way, const world::VehicleModel& vehicle,
+                const world::Wind& wind, std::uint64_t shaken, const std::vector<Pose>& poses) {
+  const auto any_met = [&](const std::vector<world::Vector3>& track) {
+    return std::any_of(track.begin(), track.end(), is_met);
+  };
+  const refiners::Way rest(way.begin() + 1, way.end());
+  const double round = 2 * std::numbers::pi * vehicle.orbit_radius / vehicle.cruise_speed;
+  for (const Pose& pose : poses) {
+    if (is_met(pose.at)) continue;
+    for (std::uint64_t trial = 1; trial <= shaken; ++trial)
+      if (any_met(fly_way(pose, rest, vehicle, wind, trial).track)) return true;
+    const FlownWay flown = fly_way(pose, rest, vehicle, wind);
+    if (any_met(flown.track)) return true;
+    if (vehicle.hovers) continue;
+    if (any_met(circle_over(flown.end, way.back(), vehicle, wind, 2 * round))) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& volumes,
                   const world::VehicleModel& vehicle, const world::Wind& wind,
@@ -23,22 +51,19 @@ bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& vo
     return std::any_of(volumes.begin(), volumes.end(),
                        [&](const auto& volume) { return is_near(volume, at, closeness.margin); });
   };
-  const auto any_met = [&](const std::vector<world::Vector3>& track) {
-    return std::any_of(track.begin(), track.end(), is_met);
+  const std::uint64_t shaken = vehicle.hovers ? closeness.shaken : 0;
+  return some_meets(is_met, way, vehicle, wind, shaken, poses);
+}
+
+bool flights_meet_ground(const refiners::Way& way, const world::Terrain& terrain,
+                         const Closeness& closeness, const world::VehicleModel& vehicle,
+                         const world::Wind& wind, const std::vector<Pose>& poses) {
+  if (way.size() < 2) return false;
+  const auto is_met = [&](const world::Vector3& at) {
+    return at.z() < terrain.highest() + closeness.margin &&
+           at.z() < terrain.elevation(at.x(), at.y()) + closeness.margin;
   };
-  const refiners::Way rest(way.begin() + 1, way.end());
-  const double round = 2 * std::numbers::pi * vehicle.orbit_radius / vehicle.cruise_speed;
-  for (const Pose& pose : poses) {
-    if (is_met(pose.at)) continue;
-    const std::uint64_t trials = vehicle.hovers ? closeness.shaken : 0;
-    for (std::uint64_t trial = 1; trial <= trials; ++trial)
-      if (any_met(fly_way(pose, rest, vehicle, wind, trial).track)) return true;
-    const FlownWay flown = fly_way(pose, rest, vehicle, wind);
-    if (any_met(flown.track)) return true;
-    if (vehicle.hovers) continue;
-    if (any_met(circle_over(flown.end, way.back(), vehicle, wind, 2 * round))) return true;
-  }
-  return false;
+  return some_meets(is_met, way, vehicle, wind, closeness.shaken, poses);
 }
 
 }  // namespace skein::supervisor

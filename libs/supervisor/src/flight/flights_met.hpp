@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether simulated flights along a way come near closed air.
+// Whether simulated flights along a way come near closed air or the ground.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 
 #include "flight/autopilot.hpp"
 #include "skein/refiners/flight.hpp"
+#include "skein/world/terrain.hpp"
 #include "skein/world/volume.hpp"
 
 namespace skein::supervisor {
@@ -27,5 +28,10 @@ bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& vo
 bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& volumes,
                   const world::VehicleModel& vehicle, const world::Wind& wind,
                   const Closeness& closeness, const std::vector<Pose>& poses);
+/// Likewise, whether any comes lower than the margin over the ground, flights with errors and gusts
+/// among them, whether the vehicle hovers or not.
+bool flights_meet_ground(const refiners::Way& way, const world::Terrain& terrain,
+                         const Closeness& closeness, const world::VehicleModel& vehicle,
+                         const world::Wind& wind, const std::vector<Pose>& poses);
 
 }  // namespace skein::supervisor

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "flight/autopilot.hpp"
@@ -228,8 +229,16 @@ std::vector<Way> Patrols::rounds(const Vector3& from, const world::Zone& zone, d
   const TimedAir::Volumes volumes = air_.closed(air);
   const auto is_open = [&](const Vector3& at) {
     return world().terrain.contains(at.x(), at.y()) &&
+           at.z() - gazetteer().ground(at) <= vehicle().ceiling &&
            std::none_of(volumes.begin(), volumes.end(),
                         [&](const auto& volume) { return is_near(volume, at, air_.stray()); });
+  };
+  // One that cannot hover flies them level: it climbs less than steep ground does.
+  const auto levelled = [&](Way way) {
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const Vector3& at : way) highest = std::max(highest, at.z());
+    for (Vector3& at : way) at.z() = highest;
+    return way;
   };
   const auto round = [&](int corners, double turned) {
     Way way;
@@ -238,7 +247,7 @@ std::vector<Way> Patrols::rounds(const Vector3& from, const world::Zone& zone, d
       const Vector2 at = middle + radius * Vector2(std::cos(angle), std::sin(angle));
       way.emplace_back(at.x(), at.y(), world().terrain.elevation(at.x(), at.y()) + height);
     }
-    return way;
+    return vehicle().hovers ? way : levelled(std::move(way));
   };
   std::vector<Way> rounds = {round(kSides, 0)};
   for (int i = 0; vehicle().hovers && i < kWays; ++i)
@@ -252,7 +261,7 @@ std::vector<Way> Patrols::rounds(const Vector3& from, const world::Zone& zone, d
 std::optional<Way> Patrols::again_and_again(const Vector3& from, const Way& round, double seconds,
                                             const Counted& counted) {
   Way way = {from};
-  if (!air_.closed(counted).empty()) {
+  if (!air_.closed(counted).empty() || air_.meets_ground({from, round.front()})) {
     const auto air = air_.airspace(counted);
     if (!air) return std::nullopt;
     if ((*air)->is_free(from)) {

@@ -2,6 +2,7 @@
 #include "refinery/timed_air.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -24,6 +25,7 @@ namespace {
 constexpr double kLeastClearance = 5;  // [m]
 constexpr double kClimbShare = 0.8;    // of its rates, in ways of a vehicle that cannot hover
 constexpr double kJoining = 1.3;       // of its circle: it is joined from inside and outside
+constexpr std::array<double, 3> kRaised = {10, 20, 40};  // [m] more over ground that turns meet
 constexpr int kAround = 8;
 constexpr double kSamePlace = 0.5;  // [m]
 constexpr std::uint64_t kShaken =
@@ -83,7 +85,7 @@ double TimedAir::reach() const {
 }
 
 double TimedAir::clearance() const {
-  return std::max(kLeastClearance, 4 * world::tracking_spread(vehicle()));
+  return std::max(kLeastClearance, 4 * world::tracking_spread(vehicle())) + raised_;
 }
 
 refiners::PathQuery TimedAir::query(const Vector3& from, const Vector3& to) const {
@@ -126,11 +128,11 @@ TimedAir::Volumes TimedAir::closed(const Counted& counted) const {
 Answer<const world::Airspace*> TimedAir::airspace() { return airspace(counted({}, 0)); }
 
 Answer<const world::Airspace*> TimedAir::airspace(const Counted& counted) {
-  const auto known = airspaces_.find(counted);
+  const auto known = airspaces_.find({raised_, counted});
   if (known != airspaces_.end()) return &known->second;
   if (vehicle().ground) {
     auto map = refiners::drivable_ground(world().terrain, vehicle(), closed(counted), stray());
-    return &airspaces_.emplace(counted, std::move(map)).first->second;
+    return &airspaces_.emplace(std::pair(raised_, counted), std::move(map)).first->second;
   }
   world::World then = world();
   std::size_t i = 0;
@@ -140,7 +142,7 @@ Answer<const world::Airspace*> TimedAir::airspace(const Counted& counted) {
   auto made = refiners::airspace_of(query(home, home), {then, {}, seed_, nullptr});
   if (!made) return no(made.error().why);
   for (const world::Volume& volume : closed(counted)) made->block(volume, stray());
-  return &airspaces_.emplace(counted, std::move(*made)).first->second;
+  return &airspaces_.emplace(std::pair(raised_, counted), std::move(*made)).first->second;
 }
 
 bool TimedAir::has_room(const Vector3& at, const Volumes& volumes) const {
@@ -184,6 +186,41 @@ bool TimedAir::met(const Way& way, const Volumes& volumes, double margin) const 
                       start_.poses(way.front(), in_flight_now_));
 }
 
+/// Of a flight that climbs and sinks as late and as early as it may, and turns at each end of a
+/// leg.
+bool TimedAir::comes_near_ground(const Way& way, double least) const {
+  const world::Terrain& terrain = world().terrain;
+  const double swung = stray() + swing(), step = terrain.spec().cell;
+  const auto is_near_ground = [&](const world::Vector2& at, double height) {
+    double highest = terrain.elevation(at.x(), at.y());
+    for (int i = 0; i < 2 * kAround; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kAround,
+                   out = i < kAround ? swung : swung / 2;
+      highest = std::max(highest, terrain.elevation(at.x() + out * std::cos(angle),
+                                                    at.y() + out * std::sin(angle)));
+    }
+    return height < highest + least;
+  };
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Vector3 leg = way[i] - way[i - 1];
+    const double height = std::min(way[i - 1].z(), way[i].z());
+    if (height >= terrain.highest() + least) continue;
+    const int steps = 1 + static_cast<int>(leg.head<2>().norm() / step);
+    for (int at = 0; at <= steps; ++at)
+      if (is_near_ground((way[i - 1] + leg * at / steps).head<2>(), height)) return true;
+  }
+  return false;
+}
+
+bool TimedAir::meets_ground(const Way& way) const {
+  const world::Terrain& terrain = world().terrain;
+  if (vehicle().hovers || vehicle().ground || terrain.highest() <= terrain.lowest()) return false;
+  const double least = vehicle().body_radius + 2 * world::tracking_spread(vehicle());
+  if (!comes_near_ground(way, least)) return false;
+  return flights_meet_ground(way, terrain, {least, kShaken}, vehicle(), world().wind,
+                             start_.poses(way.front(), in_flight_now_));
+}
+
 bool TimedAir::may_stay(const Vector3& at) {
   const auto air = airspace();
   if (!air || !(*air)->is_free(in_airspace(at))) return false;
@@ -219,9 +256,25 @@ bool TimedAir::stays_open(const Way& way, const Departure& when) const {
 Answer<Motion> TimedAir::kept_clear(const Vector3& from, const Departure& when, double seconds,
                                     const Planner& plan) {
   const bool before = std::exchange(in_flight_now_, start_.in_flight(when));
-  auto motion = clear_of_all(from, when, seconds, plan);
+  auto motion = clear_of_ground(from, when, seconds, plan);
   in_flight_now_ = before;
   return motion;
+}
+
+// Higher over steep ground, where its turns come too near to that. Home it comes in any case.
+Answer<Motion> TimedAir::clear_of_ground(const Vector3& from, const Departure& when, double seconds,
+                                         const Planner& plan) {
+  auto first = clear_of_all(from, when, seconds, plan);
+  if (!first || !meets_ground(first->way)) return first;
+  for (const double raised : kRaised) {
+    raised_ = raised;
+    auto motion = clear_of_all(from, when, seconds, plan);
+    raised_ = 0;
+    if (motion && !meets_ground(motion->way)) return motion;
+  }
+  const Vector3& home = gazetteer_.knowledge().home;
+  if ((first->way.back() - home).head<2>().norm() < vehicle().orbit_radius) return first;
+  return no("the ground is too near for its turns");
 }
 
 Answer<Motion> TimedAir::clear_of_all(const Vector3& from, const Departure& when, double seconds,

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "planning/gazetteer.hpp"
@@ -45,7 +46,7 @@ class TimedAir {
                             const refiners::PathPlanner* paths = nullptr) const;
   refiners::PathQuery query(const world::Vector3& from, const world::Vector3& to) const;
   MissionTime origin() const { return origin_; }
-  /// Least height over the ground [m].
+  /// Least height over the ground [m]; more where it was too little for turns over steep ground.
   double clearance() const;
   /// Bound on the deviation from the intended path [m].
   double stray() const;
@@ -101,20 +102,27 @@ class TimedAir {
   /// Whether some simulated flight along the way comes nearer than `margin` [m] to a volume.
   bool met(const refiners::Way& way, const Volumes& volumes, double margin) const;
 
+  /// Whether some flight along the way of a vehicle that cannot hover, which is not on its way in
+  /// its turns, comes to the ground.
+  bool meets_ground(const refiners::Way& way) const;
+
   /// Plans a motion, by `plan`, that is clear of every volume that is closed at some time during
-  /// it. Repeats until the set of volumes is consistent with the motion's duration, including the
-  /// flight to its beginning from `from`.
+  /// it, and of the ground. Repeats until the set of volumes is consistent with the motion's
+  /// duration, including the flight to its beginning from `from`.
   using Planner = std::function<Answer<Motion>(const Counted&)>;
   Answer<Motion> kept_clear(const world::Vector3& from, const Departure& when, double seconds,
                             const Planner& plan);
 
  private:
+  Answer<Motion> clear_of_ground(const world::Vector3& from, const Departure& when, double seconds,
+                                 const Planner& plan);
   Answer<Motion> clear_of_all(const world::Vector3& from, const Departure& when, double seconds,
                               const Planner& plan) const;
   bool has_landed(const world::Vector3& at) const {
     return gazetteer_.on_ground(at) && !vehicle().ground;
   }
   bool comes_near(const refiners::Way& way, const Volumes& volumes) const;
+  bool comes_near_ground(const refiners::Way& way, double least) const;
   double longest(const refiners::Way& way) const;
 
   Gazetteer gazetteer_;
@@ -125,7 +133,8 @@ class TimedAir {
   bool has_windows_ = false;
   VehicleStart start_;
   bool in_flight_now_ = true;  ///< whether the motion being planned may begin in flight
-  std::map<Counted, world::Airspace> airspaces_;
+  double raised_ = 0;          ///< what clearance() is raised by [m]
+  std::map<std::pair<double, Counted>, world::Airspace> airspaces_;  ///< by raised_ too
 };
 
 }  // namespace skein::supervisor
