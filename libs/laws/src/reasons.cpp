@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What failed says why, and what it says is true.
 #include <algorithm>
+#include <array>
 #include <set>
 #include <variant>
 
@@ -200,10 +201,13 @@ bool would_make_another_late(const History& history, const Goal& goal) {
 }
 
 // Over ground that is steeper than it climbs a vehicle may find no way at the height, or with the
-// turns, that it needs.
+// turns, that it needs; behind it, it may be heard by nobody (whether it was, `reasons` judges).
 bool is_too_steep_for(const History& history, const Uav& uav, const std::string& why) {
-  return (says(why, "ground") || says(why, "no free way with turns")) &&
-         !rises_everywhere(history, uav.spec->model);
+  static constexpr std::array kWhys{"ground", "no free way with turns", "contact",
+                                    "does not plan to come", "depends on what failed"};
+  const bool of_it =
+      std::any_of(kWhys.begin(), kWhys.end(), [&](const char* one) { return says(why, one); });
+  return of_it && !rises_everywhere(history, uav.spec->model);
 }
 
 }  // namespace
@@ -211,7 +215,7 @@ bool is_too_steep_for(const History& history, const Uav& uav, const std::string&
 // In a run in which nothing goes wrong nothing fails, but what has a deadline or no device or would
 // make another miss one, waits for who never comes or has failed itself, what has no energy left
 // after those, and what one is to do that keeps to ground of which some is too steep for it, or
-// flies over such and says so.
+// flies over or behind such and says so.
 std::vector<Violation> feasible_but_failed(const History& history) {
   std::vector<Violation> result;
   if (!is_clean(*history.scenario)) return result;

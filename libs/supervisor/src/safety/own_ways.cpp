@@ -19,6 +19,8 @@ using world::Vector3;
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
+constexpr double kOverGround = 2;  // [m] a straight way is clear of the ground,
+constexpr double kOverTops = 20;   // [m] and one straight up, over, and down of what is in its way
 
 bool closes_around(const world::Volume& volume, const world::VehicleModel& vehicle, MissionTime now,
                    const Vector3& at) {
@@ -30,6 +32,18 @@ Duration time_for(const std::vector<Vector3>& way, const world::VehicleModel& ve
   double length = 0;
   for (std::size_t i = 1; i < way.size(); ++i) length += (way[i] - way[i - 1]).norm();
   return Duration::seconds(length / vehicle.cruise_speed) + kWarning;
+}
+
+/// Up where it is, over all ground in between, and down, as one that hovers can always try.
+std::vector<Vector3> over_the_tops(const world::Terrain& terrain, const Vector3& from,
+                                   const Vector3& to) {
+  double top = std::max(from.z(), to.z());
+  const int steps = 1 + static_cast<int>((to - from).head<2>().norm() / terrain.spec().cell * 2);
+  for (int i = 0; i <= steps; ++i) {
+    const Vector3 at = from + (to - from) * i / steps;
+    top = std::max(top, terrain.elevation(at.x(), at.y()) + kOverTops);
+  }
+  return {from, {from.x(), from.y(), top}, {to.x(), to.y(), top}, to};
 }
 
 }  // namespace
@@ -59,10 +73,14 @@ std::vector<std::string> closed_around(const Knowledge& knowledge, const world::
 std::vector<Vector3> own_way(const std::shared_ptr<const Knowledge>& knowledge,
                              const std::shared_ptr<const world::World>& world, MissionTime now,
                              const Vector3& from, const Vector3& to) {
-  if (world->volumes.empty() && !knowledge->vehicle.ground) return {from, to};
+  const bool straight = world->volumes.empty() && !knowledge->vehicle.ground;
+  if (straight && !world->terrain.first_hit(from, to, kOverGround)) return {from, to};
   Refinery refinery(Gazetteer(knowledge, world), now, kSeed);
   const auto way = refinery.ways.path(from, to);
-  return way && way->way.size() > 1 ? way->way : std::vector<Vector3>{from, to};
+  if (way && way->way.size() > 1) return way->way;
+  const bool meets = world->terrain.first_hit(from, to, kOverGround).has_value();
+  return meets && knowledge->vehicle.hovers ? over_the_tops(world->terrain, from, to)
+                                            : std::vector<Vector3>{from, to};
 }
 
 Vector3 over_landing_place(const Knowledge& knowledge, const world::World& world, MissionTime now,

@@ -6,6 +6,7 @@
 #include "flight/autopilot.hpp"
 #include "flight/flights_met.hpp"
 #include "skein/foundation/random.hpp"
+#include "skein/supervisor/own_ways.hpp"
 #include "testing/planning_lab.hpp"
 
 namespace skein::supervisor::testing {
@@ -66,6 +67,34 @@ TEST(SteepGround, WhatIsPlannedOverItIsNotFlownIntoIt) {
   }
   EXPECT_GE(flights, 12U);
   EXPECT_GE(low, 3U) << "the hills are not in its way";
+}
+
+/// Marvin beside a mountain that stands between it and its pad.
+PlanningLab behind_a_mountain(double ceiling) {
+  PlanningLab lab;
+  lab.vehicle(vehicle_of("scenarios/comets/models/marvin.yaml"));
+  lab.knowledge.vehicle.ceiling = ceiling;
+  lab.world.wind = {};
+  world::TerrainSpec spec = lab.world.terrain.spec();
+  spec.hills = {{{0, 200}, 150, 120}};
+  lab.world.terrain = world::Terrain(spec);
+  return lab;
+}
+
+// Found by random missions (--clean --rough 1): it held with no contact, its way home was straight
+// into the mountain, the vehicle refused that, and it hung there until its energy was used up.
+TEST(SteepGround, AUavThatComesHomeOnItsOwnFliesAroundOrOverIt) {
+  for (const double ceiling : {300.0, 10.0}) {  // with so low a one no way is planned
+    const PlanningLab lab = behind_a_mountain(ceiling);
+    const auto way =
+        own_way(std::make_shared<const Knowledge>(lab.knowledge),
+                std::make_shared<const world::World>(lab.world), {}, {0, 340, 40}, {0, 0, 40});
+    ASSERT_GE(way.size(), 3U);
+    EXPECT_EQ(way.front(), Vector3(0, 340, 40));
+    EXPECT_EQ(way.back(), Vector3(0, 0, 40));
+    for (std::size_t i = 1; i < way.size(); ++i)
+      EXPECT_FALSE(lab.world.terrain.first_hit(way[i - 1], way[i], 2)) << "leg " << i;
+  }
 }
 
 TEST(SteepGround, AFlightThatTurnsBesideItsWayMeetsIt) {

@@ -26,8 +26,9 @@ std::optional<WayOut> way_out(const std::shared_ptr<const Knowledge>& knowledge,
 std::vector<std::string> closed_around(const Knowledge& knowledge, const world::World& world,
                                        MissionTime now, const world::Vector3& at);
 
-/// A way from one place in the air to another, clear of closed air; if there is none, the straight
-/// line. Begins with `from` [m, ENU]. Cost: that of planning a way.
+/// A way from one place in the air to another, clear of closed air and of the ground; if there is
+/// none, the straight line, or where the ground is in it, straight up, over and down for who
+/// hovers. Begins with `from` [m, ENU]. Cost: that of planning a way.
 std::vector<world::Vector3> own_way(const std::shared_ptr<const Knowledge>& knowledge,
                                     const std::shared_ptr<const world::World>& world,
                                     MissionTime now, const world::Vector3& from,
@@ -35,7 +36,8 @@ std::vector<world::Vector3> own_way(const std::shared_ptr<const Knowledge>& know
 
 /// Where a UAV that comes home on its own from `from` ends its flight: at `home`, over the pad, or
 /// where no vehicle lands on the pad because it is too steep or the air over it is closed, over the
-/// nearest ground that serves, at the same height [m, ENU]. Cost: that of some thousand looks at the ground at most.
+/// nearest ground that serves, at the same height [m, ENU]. Cost: that of some thousand looks at
+/// the ground at most.
 world::Vector3 over_landing_place(const Knowledge& knowledge, const world::World& world,
                                   MissionTime now, const world::Vector3& from,
                                   const world::Vector3& home);
