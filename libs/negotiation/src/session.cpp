@@ -33,6 +33,13 @@ std::optional<std::string> difference(const Wanted& wanted, const Terms& terms) 
   return std::nullopt;
 }
 
+// However late a cut heals, there is time to hear of it before half the time is over, or all.
+Duration share_of_what_is_left(const Terms& terms, MissionTime now) {
+  constexpr double kShare = 0.25;
+  const MissionTime until = now < terms.settled_by() ? terms.settled_by() : terms.deadline;
+  return Duration::seconds(kShare * (until - now).to_seconds());
+}
+
 }  // namespace
 
 Session::Session(Terms terms, std::string self, const NegotiationLimits& limits,
@@ -169,20 +176,14 @@ void Session::tell(const std::string& uav, MissionTime now, NegotiationEffects& 
 
 void Session::pass(MissionTime now, NegotiationEffects& out) {
   advance(now, out);
-  if (!is_active() || now < repeats_at()) return;
+  if (!is_active() || now < telling_.due()) return;
   // Who ought to have heard more asks everybody: half the time is over, or the decider is silent.
   const bool late = now >= terms_.settled_by() || telling_.decider_is_silent();
   const bool asks = late && !facts_.all_promised();
   const bool invites = terms_.opener == terms_.members[self_];
-  const auto again = telling_.repeat(facts_.bits(), asks, invites, now, share_of_what_is_left(now));
+  const auto again =
+      telling_.repeat(facts_.bits(), asks, invites, now, share_of_what_is_left(terms_, now));
   for (const std::size_t one : again) send_to(one, asks, now, out);
-}
-
-// However late a cut heals, there is time to hear of it before half the time is over, or all.
-Duration Session::share_of_what_is_left(MissionTime now) const {
-  constexpr double kShare = 0.25;
-  const MissionTime until = now < terms_.settled_by() ? terms_.settled_by() : terms_.deadline;
-  return Duration::seconds(kShare * (until - now).to_seconds());
 }
 
 void Session::advance(MissionTime now, NegotiationEffects& out) {
@@ -270,6 +271,7 @@ void Session::end(NegotiationOutcome outcome, NegotiationEffects& out) {
   if (!first && outcome.kind == Kind::kUndecided) return;
   outcome_ = outcome;
   if (first) {
+    telling_.ask_every(limits_.ask);
     out.emplace_back(NegotiationEnded{terms_, std::move(outcome)});
   } else {
     out.emplace_back(NegotiationSettled{terms_, std::move(outcome)});
@@ -305,7 +307,7 @@ void Session::send_to(std::size_t member, bool asks, MissionTime now, Negotiatio
 
 std::optional<MissionTime> Session::next_wakeup() const {
   if (!is_active()) return std::nullopt;
-  const MissionTime again = repeats_at();
+  const MissionTime again = telling_.due();
   if (outcome_) return again;
   std::optional<MissionTime> next = earliest(terms_.deadline, again);
   if (may_refuse() && facts_.refusal() == nullptr) next = earliest(next, terms_.settled_by());

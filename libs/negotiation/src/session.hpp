@@ -100,10 +100,6 @@ class Session {
   void plan_to_tell(FactBits before);
   bool is_active() const;
   void send(MissionTime now, NegotiationEffects& out);
-  MissionTime repeats_at() const {
-    return outcome_ ? telling_.last_sent() + limits_.ask : telling_.due();
-  }
-  Duration share_of_what_is_left(MissionTime now) const;
   void send_to(std::size_t member, bool asks, MissionTime now, NegotiationEffects& out);
 
   Terms terms_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -55,7 +56,9 @@ class Telling {
   void begin(MissionTime now) { again_.last = now; }
   MissionTime last_sent() const { return again_.last; }
   /// When what nobody answered is told again.
-  MissionTime due() const { return again_.due(); }
+  MissionTime due() const { return asks_every_ ? again_.last + *asks_every_ : again_.due(); }
+  /// From now on the pauses are as long as this.
+  void ask_every(Duration pause) { asks_every_ = pause; }
   /// Repetitions sent since the decider was last heard.
   int unheard() const { return unheard_; }
   /// Whether this is not the decider, and that has not answered for two repetitions.
@@ -81,6 +84,7 @@ class Telling {
   std::set<std::size_t> owed_;
   Duration first_, most_;
   Repeats again_;
+  std::optional<Duration> asks_every_;
   int unheard_ = 0;
 };
 

@@ -145,6 +145,14 @@ TEST(Telling, NewsAreToldAgainAsSoonAsTheFirst) {
   EXPECT_EQ(telling.due(), at(10.5));
 }
 
+TEST(Telling, WhoOnlyAsksDoesSoAgainAndAgainAfterTheSamePause) {
+  Telling telling = among(2, kSelf);
+  telling.ask_every(Duration::seconds(5));
+  EXPECT_EQ(telling.due(), at(6));
+  telling.repeat(kAll, true, false, at(6), kLongestPause);
+  EXPECT_EQ(telling.due(), at(11));
+}
+
 /// The decider, of two, whose last message took so long to be answered.
 Telling after_an_answer_in(double seconds) {
   Telling telling = among(2, kDecider);
