@@ -2,6 +2,7 @@
 #include "flight/flights_met.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numbers>
 
@@ -10,6 +11,8 @@
 namespace skein::supervisor {
 
 namespace {
+
+constexpr int kAround = 8;
 
 using IsMet = std::function<bool(const world::Vector3& at)>;
 
@@ -30,6 +33,32 @@ bool some_meets(const IsMet& is_met, const refiners::Way& way, const world::Vehi
     if (any_met(flown.track)) return true;
     if (vehicle.hovers) continue;
     if (any_met(circle_over(flown.end, way.back(), vehicle, wind, 2 * round))) return true;
+  }
+  return false;
+}
+
+/// Of a flight that climbs and sinks as late and as early as it may, and turns at each end of a
+/// leg.
+bool comes_near_ground(const refiners::Way& way, const world::Terrain& terrain, double least,
+                       double beside) {
+  const double step = terrain.spec().cell;
+  const auto is_near_ground = [&](const world::Vector2& at, double height) {
+    double highest = terrain.elevation(at.x(), at.y());
+    for (int i = 0; i < 2 * kAround; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kAround,
+                   out = i < kAround ? beside : beside / 2;
+      highest = std::max(highest, terrain.elevation(at.x() + out * std::cos(angle),
+                                                    at.y() + out * std::sin(angle)));
+    }
+    return height < highest + least;
+  };
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const world::Vector3 leg = way[i] - way[i - 1];
+    const double height = std::min(way[i - 1].z(), way[i].z());
+    if (height >= terrain.highest() + least) continue;
+    const int steps = 1 + static_cast<int>(leg.head<2>().norm() / step);
+    for (int at = 0; at <= steps; ++at)
+      if (is_near_ground((way[i - 1] + leg * at / steps).head<2>(), height)) return true;
   }
   return false;
 }
@@ -58,7 +87,10 @@ bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& vo
 bool flights_meet_ground(const refiners::Way& way, const world::Terrain& terrain,
                          const Closeness& closeness, const world::VehicleModel& vehicle,
                          const world::Wind& wind, const std::vector<Pose>& poses) {
-  if (way.size() < 2) return false;
+  const bool level = terrain.highest() <= terrain.lowest();
+  if (way.size() < 2 || level ||
+      !comes_near_ground(way, terrain, closeness.margin, closeness.beside))
+    return false;
   const auto is_met = [&](const world::Vector3& at) {
     return at.z() < terrain.highest() + closeness.margin &&
            at.z() < terrain.elevation(at.x(), at.y()) + closeness.margin;

@@ -16,6 +16,7 @@ namespace skein::supervisor {
 struct Closeness {
   double margin = 0;         ///< closer than this to a volume is too near [m]
   std::uint64_t shaken = 0;  ///< additional flights with errors and gusts, if the vehicle hovers
+  double beside = 0;         ///< nothing flies further beside its way [m]; for the ground
 };
 
 /// Whether any simulated flight along the way, from any pose at its beginning, or the waiting
@@ -29,7 +30,8 @@ bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& vo
                   const world::VehicleModel& vehicle, const world::Wind& wind,
                   const Closeness& closeness, const std::vector<Pose>& poses);
 /// Likewise, whether any comes lower than the margin over the ground, flights with errors and gusts
-/// among them, whether the vehicle hovers or not.
+/// among them, whether the vehicle hovers or not. Nothing is simulated where no ground beside the
+/// way is so high.
 bool flights_meet_ground(const refiners::Way& way, const world::Terrain& terrain,
                          const Closeness& closeness, const world::VehicleModel& vehicle,
                          const world::Wind& wind, const std::vector<Pose>& poses);

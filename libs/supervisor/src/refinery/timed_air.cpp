@@ -177,48 +177,20 @@ bool TimedAir::comes_near(const Way& way, const Volumes& volumes) const {
 /// end are nearer to closed air than the vehicle strays; one that hovers, and whose ways keep that
 /// distance, than half of that, be it shaken on its flight: what errors and gusts make of its
 /// corners is more than what they are themselves.
-bool TimedAir::met(const Way& way, const Volumes& volumes, double margin) const {
+bool TimedAir::met(const Way& way, const Volumes& volumes, std::optional<double> margin) const {
   if (volumes.empty() || way.size() < 2) return false;
   const bool hovers = vehicle().hovers;
   if (hovers && !comes_near(way, volumes)) return false;
-  return flights_meet(way, volumes, vehicle(), world().wind,
-                      {hovers ? margin / 2 : margin, kShaken},
+  const double least = margin.value_or(stray());
+  return flights_meet(way, volumes, vehicle(), world().wind, {hovers ? least / 2 : least, kShaken},
                       start_.poses(way.front(), in_flight_now_));
 }
 
-/// Of a flight that climbs and sinks as late and as early as it may, and turns at each end of a
-/// leg.
-bool TimedAir::comes_near_ground(const Way& way, double least) const {
-  const world::Terrain& terrain = world().terrain;
-  const double swung = stray() + swing(), step = terrain.spec().cell;
-  const auto is_near_ground = [&](const world::Vector2& at, double height) {
-    double highest = terrain.elevation(at.x(), at.y());
-    for (int i = 0; i < 2 * kAround; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kAround,
-                   out = i < kAround ? swung : swung / 2;
-      highest = std::max(highest, terrain.elevation(at.x() + out * std::cos(angle),
-                                                    at.y() + out * std::sin(angle)));
-    }
-    return height < highest + least;
-  };
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const Vector3 leg = way[i] - way[i - 1];
-    const double height = std::min(way[i - 1].z(), way[i].z());
-    if (height >= terrain.highest() + least) continue;
-    const int steps = 1 + static_cast<int>(leg.head<2>().norm() / step);
-    for (int at = 0; at <= steps; ++at)
-      if (is_near_ground((way[i - 1] + leg * at / steps).head<2>(), height)) return true;
-  }
-  return false;
-}
-
 bool TimedAir::meets_ground(const Way& way) const {
-  const world::Terrain& terrain = world().terrain;
-  if (vehicle().hovers || vehicle().ground || terrain.highest() <= terrain.lowest()) return false;
+  if (vehicle().hovers || vehicle().ground) return false;
   const double least = vehicle().body_radius + 2 * world::tracking_spread(vehicle());
-  if (!comes_near_ground(way, least)) return false;
-  return flights_meet_ground(way, terrain, {least, kShaken}, vehicle(), world().wind,
-                             start_.poses(way.front(), in_flight_now_));
+  return flights_meet_ground(way, world().terrain, {least, kShaken, stray() + swing()}, vehicle(),
+                             world().wind, start_.poses(way.front(), in_flight_now_));
 }
 
 bool TimedAir::may_stay(const Vector3& at) {
@@ -253,28 +225,27 @@ bool TimedAir::stays_open(const Way& way, const Departure& when) const {
   return !has_windows_ || !met(way, closed(counted(when, longest(way))));
 }
 
+// Higher over steep ground, where its turns come too near to that. Home it comes in any case.
 Answer<Motion> TimedAir::kept_clear(const Vector3& from, const Departure& when, double seconds,
                                     const Planner& plan) {
+  const auto higher = [&]() -> Answer<Motion> {
+    for (const double raised : kRaised) {
+      raised_ = raised;
+      auto motion = clear_of_all(from, when, seconds, plan);
+      raised_ = 0;
+      if (motion && !meets_ground(motion->way)) return motion;
+    }
+    return no("the ground is too near for its turns");
+  };
   const bool before = std::exchange(in_flight_now_, start_.in_flight(when));
-  auto motion = clear_of_ground(from, when, seconds, plan);
+  auto motion = clear_of_all(from, when, seconds, plan);
+  if (motion && meets_ground(motion->way)) {
+    const Vector3 off = motion->way.back() - gazetteer_.knowledge().home;
+    const bool returns = off.head<2>().norm() < vehicle().orbit_radius;
+    if (auto clear = higher(); clear || !returns) motion = std::move(clear);
+  }
   in_flight_now_ = before;
   return motion;
-}
-
-// Higher over steep ground, where its turns come too near to that. Home it comes in any case.
-Answer<Motion> TimedAir::clear_of_ground(const Vector3& from, const Departure& when, double seconds,
-                                         const Planner& plan) {
-  auto first = clear_of_all(from, when, seconds, plan);
-  if (!first || !meets_ground(first->way)) return first;
-  for (const double raised : kRaised) {
-    raised_ = raised;
-    auto motion = clear_of_all(from, when, seconds, plan);
-    raised_ = 0;
-    if (motion && !meets_ground(motion->way)) return motion;
-  }
-  const Vector3& home = gazetteer_.knowledge().home;
-  if ((first->way.back() - home).head<2>().norm() < vehicle().orbit_radius) return first;
-  return no("the ground is too near for its turns");
 }
 
 Answer<Motion> TimedAir::clear_of_all(const Vector3& from, const Departure& when, double seconds,

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -96,11 +97,10 @@ class TimedAir {
   bool stays_open(const world::Vector3& at, const Departure& when, double seconds) const;
   /// Whether no volume closes the way while it is flown.
   bool stays_open(const refiners::Way& way, const Departure& when) const;
-  bool met(const refiners::Way& way, const Volumes& volumes) const {
-    return met(way, volumes, stray());
-  }
-  /// Whether some simulated flight along the way comes nearer than `margin` [m] to a volume.
-  bool met(const refiners::Way& way, const Volumes& volumes, double margin) const;
+  /// Whether some simulated flight along the way comes nearer than `margin` [m] (as far as it
+  /// strays) to a volume.
+  bool met(const refiners::Way& way, const Volumes& volumes,
+           std::optional<double> margin = {}) const;
 
   /// Whether some flight along the way of a vehicle that cannot hover, which is not on its way in
   /// its turns, comes to the ground.
@@ -114,15 +114,12 @@ class TimedAir {
                             const Planner& plan);
 
  private:
-  Answer<Motion> clear_of_ground(const world::Vector3& from, const Departure& when, double seconds,
-                                 const Planner& plan);
   Answer<Motion> clear_of_all(const world::Vector3& from, const Departure& when, double seconds,
                               const Planner& plan) const;
   bool has_landed(const world::Vector3& at) const {
     return gazetteer_.on_ground(at) && !vehicle().ground;
   }
   bool comes_near(const refiners::Way& way, const Volumes& volumes) const;
-  bool comes_near_ground(const refiners::Way& way, double least) const;
   double longest(const refiners::Way& way) const;
 
   Gazetteer gazetteer_;

@@ -111,7 +111,7 @@ TEST(SteepGround, AFlightThatTurnsBesideItsWayMeetsIt) {
   plane.orbit_radius = 60;
   const refiners::Way east{{0, 0, 30}, {200, 0, 30}};
   const auto meets = [&](double heading) {
-    return flights_meet_ground(east, terrain, {5, 0}, plane, {}, {{{0, 0, 30}, heading, 20}});
+    return flights_meet_ground(east, terrain, {5, 0, 100}, plane, {}, {{{0, 0, 30}, heading, 20}});
   };
 
   EXPECT_FALSE(meets(0));
