@@ -21,6 +21,15 @@ bool too_steep(const world::Terrain& terrain, const world::Vector3& at, double s
   return true;
 }
 
+bool has_steeper(const world::Terrain& terrain, double slope) {
+  const world::TerrainSpec& spec = terrain.spec();
+  const double step = spec.cell / 4;
+  for (double x = spec.west; x <= spec.east; x += step)
+    for (double y = spec.south; y <= spec.north; y += step)
+      if (terrain.slope(x, y) > slope) return true;
+  return false;
+}
+
 }  // namespace
 
 std::vector<Violation> off_its_ground(const History& history) {
@@ -47,19 +56,6 @@ std::vector<Violation> off_its_ground(const History& history) {
   }
   return result;
 }
-
-namespace {
-
-bool has_steeper(const world::Terrain& terrain, double slope) {
-  const world::TerrainSpec& spec = terrain.spec();
-  const double step = spec.cell / 4;
-  for (double x = spec.west; x <= spec.east; x += step)
-    for (double y = spec.south; y <= spec.north; y += step)
-      if (terrain.slope(x, y) > slope) return true;
-  return false;
-}
-
-}  // namespace
 
 bool climbs_everything(const History& history, const world::VehicleModel& vehicle) {
   return !vehicle.ground || !has_steeper(history.terrain, vehicle.ground->steepest);

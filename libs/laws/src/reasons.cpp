@@ -203,8 +203,9 @@ bool would_make_another_late(const History& history, const Goal& goal) {
 // Over ground that is steeper than it climbs a vehicle may find no way at the height, or with the
 // turns, that it needs; behind it, it may be heard by nobody (whether it was, `reasons` judges).
 bool is_too_steep_for(const History& history, const Uav& uav, const std::string& why) {
-  static constexpr std::array kWhys{"ground", "no free way with turns", "contact",
-                                    "does not plan to come", "depends on what failed"};
+  static constexpr std::array kWhys{
+      "ground",          "no free way with turns", "contact",
+      "come into reach", "does not plan to come",  "depends on what failed"};
   const bool of_it =
       std::any_of(kWhys.begin(), kWhys.end(), [&](const char* one) { return says(why, one); });
   return of_it && !rises_everywhere(history, uav.spec->model);
