@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "incoming_parts.hpp"
+#include "sessions/incoming_parts.hpp"
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/blackboard/cdr.hpp"
 

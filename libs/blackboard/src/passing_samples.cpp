@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "sessions/tombstone.hpp"
 #include "skein/blackboard/transport.hpp"
 #include "skein/foundation/contract.hpp"
-#include "tombstone.hpp"
 
 namespace skein::blackboard {
 namespace {

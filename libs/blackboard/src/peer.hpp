@@ -11,7 +11,7 @@
 
 #include "heartbeat_times.hpp"
 #include "line.hpp"
-#include "session.hpp"
+#include "sessions/session.hpp"
 #include "skein/blackboard/blackboard.hpp"
 
 namespace skein::blackboard {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "lives.hpp"
+#include "sessions/lives.hpp"
 #include "skein/blackboard/blackboard.hpp"
 
 namespace skein::blackboard {

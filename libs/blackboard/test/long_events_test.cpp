@@ -12,8 +12,8 @@
 #include <variant>
 #include <vector>
 
-#include "incoming_parts.hpp"
-#include "outgoing_parts.hpp"
+#include "sessions/incoming_parts.hpp"
+#include "sessions/outgoing_parts.hpp"
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/blackboard/cdr.hpp"
 #include "testing/memory_boards.hpp"

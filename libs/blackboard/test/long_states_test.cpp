@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "outgoing_events.hpp"
+#include "sessions/outgoing_events.hpp"
 #include "skein/blackboard/blackboard.hpp"
 #include "testing/memory_boards.hpp"
 #include "testing/samples.hpp"
@@ -248,8 +248,8 @@ TEST(LongStates, WhatIsLostOfThemIsSaidAgainSoon) {
   RecordProperty("most", std::to_string(delays[199]));
 }
 
-// Found by random missions (--minds 181): a board of 3 kB that was said in the cut was the first on the
-// channel, whole, and nothing else was heard for 3 s.
+// Found by random missions (--minds 181): a board of 3 kB that was said in the cut was the first on
+// the channel, whole, and nothing else was heard for 3 s.
 TEST(LongStates, WhatIsSaidInACutKeepsNobodyWaitingWhenItEnds) {
   Radio radio(of_capacity(9'600));
   ChannelCondition cut;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What has passed with one peer: short and long events side by side.
-#include "session.hpp"
+#include "sessions/session.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

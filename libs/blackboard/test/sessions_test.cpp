@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "freshness.hpp"
-#include "incoming_events.hpp"
-#include "outgoing_events.hpp"
-#include "tombstone.hpp"
+#include "sessions/incoming_events.hpp"
+#include "sessions/outgoing_events.hpp"
+#include "sessions/tombstone.hpp"
 
 namespace skein::blackboard {
 namespace {

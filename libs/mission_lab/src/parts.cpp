@@ -30,10 +30,13 @@ std::string contact_loss(const std::string& policy, double after) {
   return ", contact_loss: {policy: " + policy + ", after: " + whole(after) + "}";
 }
 
+std::pair<double, double> point_in(const std::string& text) {
+  const std::size_t x = text.find('['), y = text.find(',', x);
+  return {std::stod(text.substr(x + 1)), std::stod(text.substr(y + 1))};
+}
+
 std::pair<double, double> draw_place_of(Random& random, const Mission& mission) {
-  const std::string& place = mission.places[random.below(mission.places.size())];
-  return {std::stod(place.substr(place.find('[') + 1)),
-          std::stod(place.substr(place.find(',') + 1))};
+  return point_in(mission.places[random.below(mission.places.size())]);
 }
 
 void add_action(Mission& mission, const std::string& name, const std::string& when, double after,

@@ -33,6 +33,8 @@ std::string contact_loss(const std::string& policy, double after);
 std::string draw_box(Random& random, double x, double y);
 /// Adds a random place on the ground to the mission; returns its name ("P1", "P2", …).
 std::string add_place(Random& random, Mission& mission);
+/// x and y of "…[x, y…" [m].
+std::pair<double, double> point_in(const std::string& text);
 /// x and y of one of the mission's places [m]. Precondition: there is one.
 std::pair<double, double> draw_place_of(Random& random, const Mission& mission);
 /// Adds a step that carries out one action `after` seconds, rounded, behind its trigger.

@@ -21,12 +21,6 @@ constexpr int kTries = 30;
 
 using Point = std::pair<double, double>;
 
-/// x and y of "…[x, y…".
-Point point_in(const std::string& text) {
-  const std::size_t x = text.find('['), y = text.find(',', x);
-  return {std::stod(text.substr(x + 1)), std::stod(text.substr(y + 1))};
-}
-
 bool is_home(const std::string& place) { return place.starts_with('H'); }
 
 std::vector<Point> level_places(const Mission& mission) {

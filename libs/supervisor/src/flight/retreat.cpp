@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "flight/flight_times.hpp"
+#include "flight/highest_between.hpp"
 #include "flight/landing_place.hpp"
 #include "skein/supervisor/way_home.hpp"
 #include "skein/world/crossing.hpp"
@@ -97,13 +98,7 @@ double Retreat::detour(const Vector3& from, const Vector3& to) const {
 
 /// Height that hills between make it climb beyond both ends [m].
 double Retreat::climb(const Vector3& from, const Vector3& to) const {
-  const double length = (to - from).head<2>().norm();
-  const int pieces = std::max(1, static_cast<int>(length / world_.terrain.spec().cell));
-  double highest = -std::numeric_limits<double>::infinity();
-  for (int i = 1; i < pieces; ++i) {
-    const Vector3 at = from + (to - from) * (static_cast<double>(i) / pieces);
-    highest = std::max(highest, world_.terrain.elevation(at.x(), at.y()));
-  }
+  const double highest = highest_between(world_.terrain, from, to, world_.terrain.spec().cell);
   return std::max(0.0, highest + kLeastClearance - std::max(from.z(), to.z()));
 }
 

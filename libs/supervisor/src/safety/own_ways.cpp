@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "flight/flight_times.hpp"
+#include "flight/highest_between.hpp"
 #include "flight/landing_place.hpp"
 #include "refinery/refinery.hpp"
 #include "safety/warning.hpp"
@@ -37,12 +38,8 @@ Duration time_for(const std::vector<Vector3>& way, const world::VehicleModel& ve
 /// Up where it is, over all ground in between, and down, as one that hovers can always try.
 std::vector<Vector3> over_the_tops(const world::Terrain& terrain, const Vector3& from,
                                    const Vector3& to) {
-  double top = std::max(from.z(), to.z());
-  const int steps = 1 + static_cast<int>((to - from).head<2>().norm() / terrain.spec().cell * 2);
-  for (int i = 0; i <= steps; ++i) {
-    const Vector3 at = from + (to - from) * i / steps;
-    top = std::max(top, terrain.elevation(at.x(), at.y()) + kOverTops);
-  }
+  const double ground = highest_between(terrain, from, to, terrain.spec().cell / 2);
+  const double top = std::max({from.z(), to.z(), ground + kOverTops});
   return {from, {from.x(), from.y(), top}, {to.x(), to.y(), top}, to};
 }
 

@@ -7,6 +7,7 @@
 
 #include "book/progress.hpp"
 #include "flight/flight_times.hpp"
+#include "skein/world/segment.hpp"
 
 namespace skein::supervisor {
 
@@ -35,9 +36,7 @@ Vector2 nearest_of(const world::Polygon& zone, const Vector2& to) {
   if (world::contains(zone, to)) return to;
   Vector2 nearest = zone.front();
   for (std::size_t i = 0; i < zone.size(); ++i) {
-    const Vector2 from = zone[i], along = zone[(i + 1) % zone.size()] - from;
-    const double length = std::max(along.squaredNorm(), 1e-9);
-    const Vector2 point = from + std::clamp((to - from).dot(along) / length, 0.0, 1.0) * along;
+    const Vector2 point = world::nearest_on_segment(to, zone[i], zone[(i + 1) % zone.size()]);
     if ((point - to).norm() < (nearest - to).norm()) nearest = point;
   }
   return nearest;

@@ -8,13 +8,19 @@
 
 namespace skein::world {
 
-/// Distance from a point to a segment [m]; `a` may be `b`. Vector: Vector2 or Vector3.
+/// The point of a segment that is nearest to `point`; `a` may be `b`. Vector: Vector2 or Vector3.
 template <class Vector>
-double to_segment(const Vector& point, const Vector& a, const Vector& b) {
+Vector nearest_on_segment(const Vector& point, const Vector& a, const Vector& b) {
   const Vector along = b - a;
   const double length = along.squaredNorm();
   const double at = length > 0 ? std::clamp((point - a).dot(along) / length, 0.0, 1.0) : 0.0;
-  return (point - (a + at * along)).norm();
+  return a + at * along;
+}
+
+/// Distance from a point to a segment [m]; likewise.
+template <class Vector>
+double to_segment(const Vector& point, const Vector& a, const Vector& b) {
+  return (point - nearest_on_segment(point, a, b)).norm();
 }
 
 /// Distance from a point to a polygon [m]; 0 inside it.

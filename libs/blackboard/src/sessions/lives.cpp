@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lives.hpp"
+#include "sessions/lives.hpp"
 
 #include <utility>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sending half of an event session with one peer.
-#include "outgoing_events.hpp"
+#include "sessions/outgoing_events.hpp"
 
 #include <algorithm>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
+#include "sessions/tombstone.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/repeats.hpp"
-#include "tombstone.hpp"
 
 namespace skein::blackboard {
 

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "incoming_events.hpp"
-#include "incoming_parts.hpp"
+#include "sessions/incoming_events.hpp"
+#include "sessions/incoming_parts.hpp"
 #include "skein/foundation/time.hpp"
 
 namespace skein::blackboard {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The receiving half of an event session with one peer.
-#include "incoming_events.hpp"
+#include "sessions/incoming_events.hpp"
 
 #include <algorithm>
 
-#include "tombstone.hpp"
+#include "sessions/tombstone.hpp"
 
 namespace skein::blackboard {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "life.hpp"
 #include "novelty.hpp"
+#include "sessions/life.hpp"
 #include "skein/blackboard/blackboard.hpp"
 
 namespace skein::blackboard {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sending half of what is too long to be said at once.
-#include "outgoing_parts.hpp"
+#include "sessions/outgoing_parts.hpp"
 
 #include <algorithm>
 #include <variant>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The receiving half of what is too long to be said at once.
-#include "incoming_parts.hpp"
+#include "sessions/incoming_parts.hpp"
 
 #include "skein/blackboard/cdr.hpp"
 

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "lives.hpp"
-#include "long_states.hpp"
-#include "outgoing_events.hpp"
-#include "outgoing_parts.hpp"
+#include "sessions/lives.hpp"
+#include "sessions/long_states.hpp"
+#include "sessions/outgoing_events.hpp"
+#include "sessions/outgoing_parts.hpp"
 #include "skein/blackboard/blackboard.hpp"
 
 namespace skein::blackboard {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "session.hpp"
+#include "sessions/session.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "outgoing_parts.hpp"
+#include "sessions/outgoing_parts.hpp"
 #include "waiting_values.hpp"
 
 namespace skein::blackboard {

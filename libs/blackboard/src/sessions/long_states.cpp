@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "long_states.hpp"
+#include "sessions/long_states.hpp"
 
 #include <algorithm>
 
