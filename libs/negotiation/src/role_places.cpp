@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/negotiation/role_places.hpp"
 
-#include "skein/interaction/placed_constraint.hpp"
+#include <algorithm>
+#include <utility>
+
 #include "skein/refiners/relay.hpp"
 #include "skein/refiners/viewpoint.hpp"
 
@@ -12,26 +14,46 @@ namespace {
 world::Vector3 vector_of(const Position& p) { return {p[0], p[1], p[2]}; }
 Position position_of(const world::Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
-Result<refiners::PlaceConstraint, Failure> constraint_of(const ActiveScm& active,
-                                                         const Whereabouts& whereabouts) {
-  std::vector<PlacedConstraint> all;
+constexpr std::size_t kMostRefused = 8;  // a few roles, and a target that moves
+
+using Constraints = std::vector<PlacedConstraint>;
+
+Result<Constraints, Failure> constraints_of(const ActiveScm& active,
+                                            const Whereabouts& whereabouts) {
+  Constraints all;
   for (auto& one : placed(active.scm, active.binding, whereabouts)) {
     if (!one) return failure("a place of " + active.id + " is unknown");
     all.push_back(std::move(*one));
   }
-  return refiners::PlaceConstraint{active.id, [all](const world::Vector3& at) {
-                                     for (const PlacedConstraint& one : all) {
-                                       if (!one.holds(position_of(at))) return false;
-                                     }
-                                     return true;
-                                   }};
+  return all;
+}
+
+bool all_hold(const Constraints& all, const world::Vector3& at) {
+  return std::ranges::all_of(all, [&](const auto& one) { return one.holds(position_of(at)); });
+}
+
+std::vector<world::Volume> closed_from(MissionTime at, const world::World& world) {
+  std::vector<world::Volume> closed;
+  for (const world::Volume& volume : world.volumes)
+    if (volume.when.overlaps({at, MissionTime::max()})) closed.push_back(volume);
+  return closed;
 }
 
 }  // namespace
 
+std::optional<Failure> RefusedViews::why(const Search& search) const {
+  const auto found = std::ranges::find(known_, search, &std::pair<Search, Failure>::first);
+  return found == known_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void RefusedViews::refused(Search search, const Failure& why) {
+  if (known_.size() == kMostRefused) known_.pop_front();
+  known_.emplace_back(std::move(search), why);
+}
+
 Result<Position, Failure> best_view(const RolePlaceQuery& query, const std::string& device,
                                     const Position& target, const Observer& observer,
-                                    const refiners::Setting& setting) {
+                                    const refiners::Setting& setting, RefusedViews* known) {
   refiners::ViewpointQuery view;
   view.vehicle = query.vehicle;
   view.device = device;
@@ -39,15 +61,25 @@ Result<Position, Failure> best_view(const RolePlaceQuery& query, const std::stri
   view.clearance = query.clearance;
   view.from = vector_of(query.from);
   view.at = query.at;
+  RefusedViews::Search search{device, target, query.clearance, {}, {}};
   const Whereabouts whereabouts = known_by(observer, query.at, query.limits);
   for (const ActiveScm& active : query.scms) {
-    auto constraint = constraint_of(active, whereabouts);
-    if (!constraint) return tl::unexpected<Failure>(constraint.error());
-    view.constraints.push_back(std::move(*constraint));
+    const auto all = constraints_of(active, whereabouts);
+    if (!all) return tl::unexpected<Failure>(all.error());
+    view.constraints.push_back(
+        {active.id, [all = *all](const world::Vector3& at) { return all_hold(all, at); }});
+    search.constraints.insert(search.constraints.end(), all->begin(), all->end());
+  }
+  if (known != nullptr) {
+    search.closed = closed_from(query.at, setting.world);
+    if (const auto why = known->why(search)) return tl::unexpected<Failure>(*why);
   }
   const auto found = refiners::refine(view, setting);
-  if (!found) return failure(found.error().why);
-  return position_of(found->task.points.front().position);
+  if (found) return position_of(found->task.points.front().position);
+  const Failure why{found.error().why};
+  const bool is_whole = found.error().kind != refiners::RefusalKind::kBudgetExhausted;
+  if (known != nullptr && is_whole) known->refused(std::move(search), why);
+  return tl::unexpected<Failure>(why);
 }
 
 Result<Position, Failure> relay_position(const RolePlaceQuery& query, const Position& one,

@@ -130,6 +130,69 @@ TEST(BestView, PerceivesTheTargetWhereTheConstraintsHold) {
       world.terrain.line_of_sight(vector_of(*found), vector_of(fire) + world::Vector3(0, 0, 0.01)));
 }
 
+/// Of one vehicle that asks again and again.
+class ViewAskedForAgain : public ::testing::Test {
+ protected:
+  bool is_seen(const Position& fire) {
+    const Observer sees = [&](const std::string&) { return Sighting{fire, one_.at}; };
+    return best_view(one_, "visible", fire, sees, setting(), &known_).has_value();
+  }
+  /// Whether the refiner searched for it.
+  bool searches(const Position& fire) {
+    const int before = polled_;
+    EXPECT_FALSE(is_seen(fire));
+    return polled_ > before;
+  }
+  refiners::Setting setting() {
+    return {world_, {[this] { return ++polled_ > most_; }}, 1};
+  }
+
+  world::World world_ = hilly(300);
+  Position fire_{60, 60, world_.terrain.elevation(60, 60)};
+  RolePlaceQuery one_ = [] {
+    RolePlaceQuery far = query();
+    far.scms = {within("fire", Relation::kGreater, 90)};  // its camera sees 80 m far
+    return far;
+  }();
+  RefusedViews known_;
+  int polled_ = 0, most_ = 1'000'000;
+};
+
+TEST_F(ViewAskedForAgain, WhatThereIsNotIsSearchedForOnce) {
+  EXPECT_TRUE(searches(fire_));
+  one_.from[0] += 5;
+  one_.at = MissionTime::seconds(20);
+  EXPECT_FALSE(searches(fire_));
+}
+
+TEST_F(ViewAskedForAgain, UntilItsTargetHasMoved) {
+  ASSERT_TRUE(searches(fire_));
+  Position moved = fire_;
+  moved[0] += 1;
+  EXPECT_TRUE(searches(moved));
+  EXPECT_FALSE(searches(fire_)) << "the last few are known";
+}
+
+TEST_F(ViewAskedForAgain, UntilAnotherAirIsClosed) {
+  world_.volumes = {{"smoke", {{0, 0}, {10, 0}, {10, 10}}, 0, 50, {{}, MissionTime::seconds(90)}}};
+  ASSERT_TRUE(searches(fire_));
+  ASSERT_FALSE(searches(fire_));
+  one_.at = MissionTime::seconds(100);
+  EXPECT_TRUE(searches(fire_)) << "it has opened";
+}
+
+TEST_F(ViewAskedForAgain, UntilItsConstraintsChange) {
+  ASSERT_TRUE(searches(fire_));
+  one_.scms = {within("fire", Relation::kGreater, 30)};
+  EXPECT_TRUE(is_seen(fire_));
+}
+
+TEST_F(ViewAskedForAgain, WhatTimeWasTooShortForIsNotKnown) {
+  most_ = 0;
+  ASSERT_TRUE(searches(fire_));
+  EXPECT_TRUE(searches(fire_));
+}
+
 TEST(BestView, IsRefusedWithTheReason) {
   const world::World world = hilly(300);
   RolePlaceQuery one = query();

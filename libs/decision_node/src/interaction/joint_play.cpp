@@ -59,8 +59,12 @@ MissionTime JointPlay::now() const { return host_.bus().now(); }
 
 Outlook JointPlay::outlook() const {
   const auto world = host_.world();  // is kept until the next input
-  return {*host_.config().knowledge, *world,
-          sightings_.observer(my_.joint.arguments, *world, now()), now(), host_.free_to_stay()};
+  return {*host_.config().knowledge,
+          *world,
+          sightings_.observer(my_.joint.arguments, *world, now()),
+          now(),
+          host_.free_to_stay(),
+          &refused_views_};
 }
 
 // ---- the role ----

@@ -107,6 +107,7 @@ class JointPlay final : private RoleCourse {
   AreaMapping mapping_;
   Pursuit pursuit_;
   RoleTalks talks_;
+  mutable interaction::RefusedViews refused_views_;
 };
 
 }  // namespace skein::decision_node

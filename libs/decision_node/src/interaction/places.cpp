@@ -174,7 +174,7 @@ Result<Position, Failure> place_beside(const PlaceQuery& query, const Outlook& o
   const refiners::Setting setting{outlook.world, {}, kSeed};
   Result<Position, Failure> found = failure("nobody computes " + query.call.function);
   if (query.call.function == "best-view") {
-    found = best_view(role, query.device, *one, outlook.observer, setting);
+    found = best_view(role, query.device, *one, outlook.observer, setting, outlook.refused);
   } else if (query.call.function == "relay-position") {
     found = relay_position(role, in_the_air(*one, outlook.world), in_the_air(*other, outlook.world),
                            kLeastMargin, outlook.observer, setting);

@@ -9,6 +9,7 @@
 
 #include "interaction/joint.hpp"
 #include "skein/interaction/valid_position.hpp"
+#include "skein/negotiation/role_places.hpp"
 #include "skein/supervisor/planning.hpp"
 #include "skein/world/vehicle_state.hpp"
 
@@ -22,6 +23,7 @@ struct Outlook {
   MissionTime now;
   /// Whether the UAV could stay at a place beside the reservations of others; empty: anywhere.
   std::function<bool(const world::Vector3&)> free_to_stay = {};
+  interaction::RefusedViews* refused = nullptr;  ///< views that there are not; absent: unknown
 };
 
 /// A parsed initialiser, such as "best-view(front, center)".

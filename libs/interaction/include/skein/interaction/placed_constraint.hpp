@@ -35,6 +35,7 @@ class PlacedConstraint {
   double slack(double value) const;
   bool holds_by(double slack) const;
   bool holds(const Position& at) const;
+  bool operator==(const PlacedConstraint&) const = default;
 };
 
 /// The constraints of an SCM under a binding; an element is absent if some place of it is unknown
