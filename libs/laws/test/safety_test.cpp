@@ -161,6 +161,29 @@ TEST(ClosedAir, AirThatIsOpenedAndClosedAgainWasOpenInBetween) {
   EXPECT_THAT(story.broken("closed-air"), IsEmpty());
 }
 
+// Found by an outsider's missions: what people did was not looked at.
+TEST(ClosedAir, WhatAnOperatorClosesIsClosedAndWhatOneOpensIsOpen) {
+  const auto flown = [](bool closed_by_operator, bool opened) {
+    const std::string by_script = kClosing;
+    const std::string operators =
+        std::string("  operator:\n") +
+        "    - {does: shut, when: {time: 50}, do: [{close_air: {name: smoke, polygon: [[100, 0], "
+        "[200, 0], [200, 100], [100, 100]]}}]}\n"
+        "    - {does: open, when: {time: 60}, do: [{open_air: {name: smoke}}]}\n";
+    Story story("", by_script + operators);
+    story.flies("marvin", 0, 70, {150, 150, 40}, {150, 150, 40});
+    story.flies("marvin", 71, 120, {150, 150, 40}, {150, 50, 40});
+    if (closed_by_operator) story.operates(50, "shut", "marvin");
+    if (!closed_by_operator) story.step(50, "close", "marvin");
+    if (opened) story.operates(60, "open", "marvin");
+    return story.broken("closed-air");
+  };
+
+  EXPECT_THAT(flown(true, false), ElementsAre(HasSubstr("into 'smoke'")));
+  EXPECT_THAT(flown(true, true), IsEmpty());
+  EXPECT_THAT(flown(false, true), IsEmpty());
+}
+
 // An operator has it in hand, who has to know.
 TEST(ClosedAir, BelowDegreeFourItIsEnoughThatTheUavSaysSo) {
   const auto told = [](std::optional<double> when) {

@@ -137,24 +137,18 @@ class UavTeller {
   Uav& uav_;
 };
 
-/// What the ground's script told UAVs of the world, and when they heard it.
+/// What the ground's script and its operators told UAVs of the world, and when they heard it.
 class WorldTeller {
  public:
   explicit WorldTeller(History& history) : history_(history) {
     for (const auto& step : history.scenario->ground.script.steps)
-      actions_[step.name] = &step.actions;
+      steps_[step.name] = &step.actions;
+    for (const auto& person : history.scenario->ground.script.operators)
+      operators_[person.does] = &person.actions;
   }
 
-  // What the ground's script closes, its UAVs know when they are told.
-  void hear(const lines::Step& line, const Written& when) {
-    const auto found = actions_.find(line.name);
-    if (found == actions_.end()) return;
-    for (const ground_station::Action& action : *found->second) {
-      if (const auto* close = std::get_if<ground_station::CloseAir>(&action)) tell(*close, when);
-      if (const auto* world = std::get_if<ground_station::TellWorld>(&action)) tell(*world, when);
-      if (const auto* open = std::get_if<ground_station::OpenAir>(&action)) tell(*open, when);
-    }
-  }
+  void hear(const lines::Step& line, const Written& when) { done(steps_, line.name, when); }
+  void hear(const lines::Operator& line, const Written& when) { done(operators_, line.does, when); }
 
   void hear(const lines::Message& line, const Written& when) {
     if (line.slot != "WorldChange" || line.direction != "received") return;
@@ -180,6 +174,18 @@ class WorldTeller {
     std::optional<std::size_t> closing;  ///< index in the UAV's
     std::optional<PlaceKnown> place;
   };
+  using Actions = std::map<std::string, const std::vector<ground_station::Action>*>;
+
+  // What they close, the UAVs know when they are told.
+  void done(const Actions& by, const std::string& name, const Written& when) {
+    const auto found = by.find(name);
+    if (found == by.end()) return;
+    for (const ground_station::Action& action : *found->second) {
+      if (const auto* close = std::get_if<ground_station::CloseAir>(&action)) tell(*close, when);
+      if (const auto* world = std::get_if<ground_station::TellWorld>(&action)) tell(*world, when);
+      if (const auto* open = std::get_if<ground_station::OpenAir>(&action)) tell(*open, when);
+    }
+  }
 
   void tell(const ground_station::CloseAir& close, const Written& when) {
     each_of(close.uavs, [&](Uav& uav) {
@@ -217,7 +223,7 @@ class WorldTeller {
 
   History& history_;
   std::map<std::string, std::deque<Told>> told_;  ///< on their way to each UAV, in order
-  std::map<std::string, const std::vector<ground_station::Action>*> actions_;
+  Actions steps_, operators_;
 };
 
 /// What is nobody's own: the mission, alarms, objects, deaths, and who is there at a meeting.
@@ -340,7 +346,7 @@ class Teller {
     bool read =
         journal::hand_on<lines::Mission, lines::Alarm, lines::Object, lines::Seen, lines::Fault,
                          lines::LostUav, lines::FoundUav, lines::Sync>(record, run_);
-    read = journal::hand_on<lines::Step, lines::Message>(record, world_) && read;
+    read = journal::hand_on<lines::Step, lines::Operator, lines::Message>(record, world_) && read;
     read = see_of_uav(record) && read;
     read = history_.joint.see(record) && read;
     read = history_.team.see(record) && read;

@@ -157,10 +157,17 @@ Story& Story::contact(const std::string& uav, double at, const std::string& poli
 }
 
 Story& Story::step(double at, const std::string& name, const std::string& told) {
-  add(at, "ground", lines::Step{.name = name});
+  return add(at, "ground", lines::Step{.name = name}).hears_of_the_world(at + 0.02, told);
+}
+
+Story& Story::operates(double at, const std::string& name, const std::string& told) {
+  return add(at, "ground", lines::Operator{.does = name}).hears_of_the_world(at + 0.02, told);
+}
+
+Story& Story::hears_of_the_world(double at, const std::string& uav) {
   return add(
-      at + 0.02, told,
-      lines::Message{.slot = "WorldChange", .from = "ground", .to = told, .direction = "received"});
+      at, uav,
+      lines::Message{.slot = "WorldChange", .from = "ground", .to = uav, .direction = "received"});
 }
 
 Story& Story::dates_by_ground() {
