@@ -16,9 +16,9 @@ bool holds_vehicle(const std::string& type) {
   return functional::TaskTypes::shipped().of(type).holds_vehicle();
 }
 
-/// Both move or hold the vehicle, or use the same device.
+/// Both move or hold the vehicle, or use the same device: a perception holds it and uses one.
 bool exclude_each_other(const functional::Request& one, const functional::Request& other) {
-  if (holds_vehicle(one.type)) return holds_vehicle(other.type);
+  if (holds_vehicle(one.type) && holds_vehicle(other.type)) return true;
   const auto* device = one.parameters.find("device");
   const auto* used = other.parameters.find("device");
   return device != nullptr && used != nullptr && device->text == used->text;

@@ -229,6 +229,25 @@ TEST(Degrees, UpFromOneALookOfTheGroundGivesWayToOneByTheSameDevice) {
   }
 }
 
+// Found by an outsider's missions: each perception of the plan on board was refused for ten
+// minutes.
+TEST(Degrees, UpFromOneALookOfTheGroundGivesWayToAPerceptionByTheSameDevice) {
+  functional::Parameters by_camera;
+  by_camera.add("device", "visible");
+  FlownNode node(1);
+  node.give(ElementaryRequest{{functional::Verb::kDispatch, TaskId(3), "takeshot", by_camera}});
+  node.give(testing::status_of(3, TaskState::kRunning));
+  node.give(Command{{1, 1}, mission::ChangeDegree{3}});
+  executive::Start perception = testing::start_of(4, "perceive");
+  perception.task.parameters = by_camera;
+
+  const Effects asked = node.give(Command{{1, 2}, perception});
+  const Effects over = node.give(testing::status_of(3, TaskState::kAborted, "interrupted"));
+
+  EXPECT_THAT(testing::asked_of_vehicle(asked), ElementsAre("interrupt 3"));
+  EXPECT_THAT(testing::asked_of_vehicle(over), ElementsAre("dispatch perceive"));
+}
+
 TEST(Degrees, UpFromOneWhatTheGroundHasNotGivenBackCanBeAborted) {
   FlownNode node(1);
   node.give(ElementaryRequest{{functional::Verb::kDispatch, TaskId(3), "goto", {}}});
