@@ -6,6 +6,16 @@
 
 namespace skein::decision_node {
 
+namespace {
+
+/// At every degree they are here: a wait in place, the way home.
+bool aborts_own(const mission::Request& request) {
+  const auto* abort = std::get_if<executive::Abort>(&request);
+  return abort != nullptr && is_own(abort->id);
+}
+
+}  // namespace
+
 void Core::Inputs::operator()(const Started& started) const {
   core_.partners_.start(core_.bus_.now());
   core_.merging_.begin(started);
@@ -20,7 +30,8 @@ void Core::Inputs::operator()(const Started& started) const {
 void Core::Inputs::operator()(const Command& command) const {
   if (!core_.commands_.is_new(command.key)) return;
   const Route& route = route_of(kind_of(command.request));
-  if (core_.degree() < route.least_degree) return core_.commands_.refuse(command, route.refusal);
+  if (core_.degree() < route.least_degree && !aborts_own(command.request))
+    return core_.commands_.refuse(command, route.refusal);
   switch (route.to) {
     case Addressee::kExecution:
       return core_.execution_.take(command);

@@ -272,6 +272,25 @@ TEST(Degrees, InterruptedInTheAirItHoldsAndOnTheGroundItDoesNot) {
   }
 }
 
+// Found by an outsider's missions: who asked for all to be aborted was refused it.
+TEST(Degrees, WhatItDoesOfItsOwnCanBeAbortedAtDegreeOneToo) {
+  for (const int degree : {1, 2}) {
+    FlownNode node(3);
+    node.give(testing::flying(true));
+    const auto holds =
+        ids_of(handed_over(node.give(Command{{1, 1}, mission::ChangeDegree{2, true}})));
+    ASSERT_THAT(holds, SizeIs(1));
+    node.give(Command{{1, 2}, mission::ChangeDegree{degree}});
+
+    const Effects effects = node.give(Command{{1, 3}, executive::Abort{TaskId(holds[0])}});
+
+    const auto answers = testing::all<Answer>(effects);
+    ASSERT_THAT(answers, SizeIs(1)) << degree;
+    EXPECT_TRUE(answers[0].accepted) << degree;
+    EXPECT_THAT(testing::asked_of_vehicle(effects), SizeIs(1)) << "interrupted";
+  }
+}
+
 // ---- synchronisation ----
 
 struct SyncCase {

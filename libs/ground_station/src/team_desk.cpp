@@ -95,13 +95,28 @@ void TeamDesk::accept(const DegreeChanged& changed, MissionTime, Effects&) {
   if (!mission::allocates(changed.degree)) degrees_[changed.uav] = changed.degree;
 }
 
-/// Empty: it bids, or the task is pinned to nobody.
-std::string TeamDesk::why_pinned_does_not_bid(mission::GoalId task) const {
+/// Of an unsold task: what the reasons do not say of the UAV that it is pinned to. Empty: nothing,
+/// or it is pinned to nobody.
+std::string TeamDesk::why_pinned_does_not_bid(const team::TaskStanding& standing) const {
+  const auto pinned = pinned_.find(standing.task);
+  if (pinned == pinned_.end()) return "";
+  const std::string& uav = pinned->second;
+  const std::string which = uav + ", which it is pinned to, ";
+  if (const auto degree = degrees_.find(uav); degree != degrees_.end())
+    return which + "does not bid at degree " + std::to_string(degree->second);
+  if (lost_.contains(uav)) return which + "is declared lost";
+  const bool answered = ("; " + standing.why).find("; " + uav + ": ") != std::string::npos;
+  return answered ? "" : which + "does not answer";
+}
+
+bool TeamDesk::is_pinned_in_hand(mission::GoalId task) const {
   const auto pinned = pinned_.find(task);
-  const auto degree = pinned == pinned_.end() ? degrees_.end() : degrees_.find(pinned->second);
-  if (degree == degrees_.end()) return "";
-  return degree->first + ", which it is pinned to, does not bid at degree " +
-         std::to_string(degree->second);
+  return pinned != pinned_.end() && degrees_.contains(pinned->second);
+}
+
+std::string TeamDesk::why_unsold(const team::TaskStanding& standing) const {
+  const std::string pinned = why_pinned_does_not_bid(standing);
+  return pinned.empty() ? standing.why : standing.why + "; " + pinned;
 }
 
 std::set<mission::GoalId> TeamDesk::not_yet(const team::GlobalMission& mission) const {
@@ -140,10 +155,12 @@ void TeamDesk::give_what_may(mission::MissionId id, MissionTime now, Effects& ou
 }
 
 void TeamDesk::accept(const DeclareLost& lost, MissionTime now, Effects& out) {
+  lost_.insert(lost.uav);
   declare<auction::DeclaredLost>(lost.uav, now, out);
 }
 
 void TeamDesk::accept(const DeclareFound& found, MissionTime now, Effects& out) {
+  lost_.erase(found.uav);
   declare<auction::DeclaredFound>(found.uav, now, out);
 }
 
@@ -178,13 +195,11 @@ void TeamDesk::tell_member(const auction::TeamInput& input, MissionTime now, Eff
 
 /// What is pinned to one whose degree is low is no end: the operator has both in hand.
 void TeamDesk::count_refusals(team::TaskStanding& standing) {
-  const std::string low = why_pinned_does_not_bid(standing.task);
-  if (standing.stage != auction::Stage::kUnsold) {
-    if (standing.stage != auction::Stage::kForSale) refused_.erase(standing.task);
-  } else if (low.empty()) {
-    ++refused_[standing.task];
-  } else {
-    standing.why += "; " + low;
+  if (standing.stage == auction::Stage::kUnsold) {
+    if (!is_pinned_in_hand(standing.task)) ++refused_[standing.task];
+    standing.why = why_unsold(standing);
+  } else if (standing.stage != auction::Stage::kForSale) {
+    refused_.erase(standing.task);
   }
 }
 
@@ -238,7 +253,7 @@ void TeamDesk::tell_hopeless(Effects& out) {
       const auto standing = standings().find(task);
       if (standing == standings().end() || refused_.count(task) == 0) continue;
       whys.push_back("task " + skein::to_text(task) + " (" + standing->second.statement +
-                     "): " + standing->second.why);
+                     "): " + why_unsold(standing->second));
     }
     out.emplace_back(GlobalMissionChanged{id, GlobalStage::kRefused,
                                           "nobody can do what is left: " + joined(whys, "; ")});

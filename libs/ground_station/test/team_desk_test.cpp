@@ -8,9 +8,12 @@
 namespace skein::ground_station {
 namespace {
 
+using ::testing::Contains;
+using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
@@ -233,6 +236,45 @@ TEST(TeamDesk, WhatIsPinnedToOneWhoseDegreeIsLowWaitsForItAndSaysSo) {
   EXPECT_THAT(all<GlobalMissionChanged>(stands(Stage::kUnsold)), IsEmpty());
   stands(Stage::kForSale);
   EXPECT_THAT(all<GlobalMissionChanged>(stands(Stage::kUnsold)), SizeIs(1));
+}
+
+// Found by an outsider's missions: the one whose task it is was the only one of whom nothing was
+// said.
+TEST(TeamDesk, WhatIsPinnedToOneWhoIsLostOrDoesNotAnswerSaysSo) {
+  const auto told = [](bool lost, bool found, const std::string& others) {
+    TeamDesk ground = desk();
+    GiveGlobalMission give = mission_of(1, 11);
+    give.mission.tasks[0].by = "heliv";
+    ground.handle(give, at(1));
+    if (lost) ground.handle(DeclareLost{"heliv"}, at(2));
+    if (found) ground.handle(DeclareFound{"heliv"}, at(3));
+    std::vector<std::string> whys;
+    for (std::uint64_t call = 1; call < 4; ++call) {
+      for (const auction::Stage stage : {auction::Stage::kUnsold, auction::Stage::kForSale}) {
+        TeamHeard book = beat(stage, 2 * call + (stage == auction::Stage::kForSale ? 1 : 0));
+        auto& ledger = std::get<auction::Beat>(book.message).ledger;
+        auto changed = std::make_shared<auction::Ledger>(*ledger);
+        changed->entries[auction::TaskNumber(11)].why = others;
+        ledger = changed;
+        const auto effects = ground.handle(book, at(10.0 * static_cast<double>(call)));
+        for (const auto& task : all<TeamTaskChanged>(effects))
+          if (task.standing.stage == auction::Stage::kUnsold) whys.push_back(task.standing.why);
+        for (const auto& mission : all<GlobalMissionChanged>(effects)) whys.push_back(mission.why);
+      }
+    }
+    return whys;
+  };
+  const std::string given_away = "marvin: the operator gives it to another";
+
+  EXPECT_THAT(told(true, false, given_away), Contains(HasSubstr("nobody can do what is left")));
+  EXPECT_THAT(told(true, false, given_away),
+              Each(HasSubstr(given_away + "; heliv, which it is pinned to, is declared lost")));
+  EXPECT_THAT(told(true, true, given_away),
+              Each(HasSubstr(given_away + "; heliv, which it is pinned to, does not answer")));
+  EXPECT_THAT(told(false, false, given_away + "; heliv: it lacks camera"),
+              Each(HasSubstr("it lacks camera")));
+  EXPECT_THAT(told(false, false, given_away + "; heliv: it lacks camera"),
+              Each(Not(HasSubstr("pinned"))));
 }
 
 // What this member still has to say to the holder, by numbers of tasks.

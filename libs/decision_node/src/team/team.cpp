@@ -139,9 +139,8 @@ void Team::goal_changed(const mission::GoalStatus& status) {
     case mission::GoalState::kFailed:
       return put_back(status.why, true);
     case mission::GoalState::kCancelled:
-      if (job_->withdrawn && left_since_)
-        return put_back(bids_ ? "it was not to resume it" : why_aside(core_.degree()), false);
-      return put_back(status.why.empty() ? "cancelled" : status.why, !job_->withdrawn);
+      if (!job_->withdrawn.empty()) return put_back(std::string(job_->withdrawn), false);
+      return put_back(status.why.empty() ? "cancelled" : status.why, true);
     case mission::GoalState::kHandedOver:
       if (job_->begun) note("kept", "begun: the operator decides");
       return;
@@ -159,7 +158,7 @@ void Team::settle() {
     bids_ = bids;
     give(auction::Bids{bids});
     // What has begun ends, or stays in the hands of the operator.
-    if (!bids && job_ && !job_->begun) withdraw();
+    if (!bids && job_ && !job_->begun) withdraw(why_aside(core_.degree()));
   }
   if (!bids_) put_back_what_waits(why_aside(core_.degree()));
   look_at_the_time();
@@ -173,9 +172,10 @@ void Team::settle() {
   }
 }
 
-void Team::withdraw() {
-  job_->withdrawn = true;
-  core_.deliberation().cancel_for_team(job_->goal, core_.config().uav + " itself");
+void Team::withdraw(const std::string& why) {
+  job_->withdrawn = why;
+  core_.deliberation().cancel_for_team(job_->goal,
+                                       core_.config().uav + " itself, for the team: " + why);
 }
 
 // Its degree stayed, or is 5 again, and it does not go on with it: it has carried out its
@@ -184,7 +184,8 @@ void Team::look_at_what_was_handed_over() {
   const bool left = job_ && job_->handed_over && mission::allocates(core_.degree());
   if (!left) return left_since_.reset();
   if (!left_since_) left_since_ = core_.bus().now();
-  if (core_.bus().now() >= *left_since_ + kRest && !job_->withdrawn) withdraw();
+  if (core_.bus().now() < *left_since_ + kRest || !job_->withdrawn.empty()) return;
+  withdraw(bids_ ? "it was not to resume it" : why_aside(core_.degree()));
 }
 
 // Of what it has not begun another may do some sooner; the sale says whether.
@@ -296,7 +297,7 @@ void Team::begin(const auction::Claim& claim, const team::Order& order) {
   task.id = mission::GoalId(claim.task.value() + attempt * kNextAttempt);
   mission.asked_by = order.asked_by + ", by the team";
   lateness_.begun();
-  job_ = Job{claim, task.id, mission.id, to_text(task), false, false};
+  job_ = Job{claim, task.id, mission.id, to_text(task), false, {}, false};
   note("begun", "");
   core_.deliberation().take_for_team(mission);
 }

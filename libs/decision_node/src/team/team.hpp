@@ -54,7 +54,7 @@ class Team final : public Component {
     mission::MissionId mission;
     std::string statement;
     bool begun = false;        ///< a part of it was carried out
-    bool withdrawn = false;    ///< withdrawn from this UAV, not failed
+    std::string withdrawn;     ///< why it was withdrawn from this UAV; empty: it was not
     bool handed_over = false;  ///< its goal is with the operator
   };
 
@@ -73,7 +73,7 @@ class Team final : public Component {
   void look_at_the_time();
   void note(const std::string& state, const std::string& why);
   /// Precondition: it has a job.
-  void withdraw();
+  void withdraw(const std::string& why);
   void look_at_what_was_handed_over();
   void go_home();
   bool is_idle() const;

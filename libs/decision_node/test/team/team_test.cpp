@@ -203,7 +203,12 @@ TEST(Team, WhatHasNotBegunIsWithdrawnFromTheSupervisorWithTheDegree) {
 
     const Effects effects = marvin.at_degree(degree);
 
+    const std::string why = "degree " + std::to_string(degree);
     EXPECT_THAT(noted(effects), ElementsAre("put-back")) << degree;
+    const auto goals = all<supervisor::GoalChanged>(effects);
+    ASSERT_FALSE(goals.empty());
+    EXPECT_EQ(goals.back().status.why, "cancelled by marvin itself, for the team: " + why);
+    EXPECT_THAT(status_in(marvin.hear(book(Stage::kGranted, 2))).stopped_why, ElementsAre(why));
   }
 }
 

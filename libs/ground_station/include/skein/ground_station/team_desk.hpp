@@ -69,7 +69,9 @@ class TeamDesk {
   void declare(const std::string& uav, MissionTime now, Effects& out);
   void accept(const PlaceKnown& known, MissionTime now, Effects& out);
   void accept(const DegreeChanged& changed, MissionTime now, Effects& out);
-  std::string why_pinned_does_not_bid(mission::GoalId task) const;
+  std::string why_pinned_does_not_bid(const team::TaskStanding& standing) const;
+  bool is_pinned_in_hand(mission::GoalId task) const;
+  std::string why_unsold(const team::TaskStanding& standing) const;
   std::set<mission::GoalId> not_yet(const team::GlobalMission& mission) const;
   void give_what_may(mission::MissionId id, MissionTime now, Effects& out);
   void tell_member(const auction::TeamInput& input, MissionTime now, Effects& out);
@@ -87,6 +89,7 @@ class TeamDesk {
   std::map<mission::GoalId, std::vector<mission::GoalId>> after_;  ///< predecessors of a task
   std::map<mission::GoalId, std::string> pinned_;  ///< UAV that the operator reserved the task for
   std::map<std::string, Degree> degrees_;   ///< of the UAVs whose degree keeps them from bidding
+  std::set<std::string> lost_;              ///< UAVs that the operator declared lost
   std::map<mission::GoalId, int> refused_;  ///< successive sales of the task without a winner
   std::set<mission::MissionId> hopeless_;   ///< missions reported as impossible for all UAVs
   std::set<mission::MissionId> given_;
