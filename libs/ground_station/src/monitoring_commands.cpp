@@ -13,6 +13,20 @@ namespace skein::ground_station {
 using executive::TaskId;
 using Pending = PendingCommands::Pending;
 
+namespace {
+
+/// Of an answer to what is over here: what has expired may have been carried out all the same.
+std::string comes_late(CommandNumber number, const std::optional<Pending>& expired,
+                       CommandState state, const std::string& why) {
+  const std::string command = "command " + skein::to_text(number);
+  if (!expired) return command + " is not pending, yet " + std::string(to_text(state));
+  const bool done = state == CommandState::kAcknowledged;
+  return command + " (" + in_words(*expired) + ") had expired, and " +
+         (done ? "was carried out all the same" : "was refused later: " + why);
+}
+
+}  // namespace
+
 void Monitoring::on(const IssueCommand& input, MissionTime now, Effects& effects) {
   const CommandNumber number = commands_.issue(input);
   effects.emplace_back(CommandChanged{number, input.uav, what_of(input.request),
@@ -128,10 +142,10 @@ void Monitoring::close(CommandNumber number, CommandState state, const std::stri
                        Effects& effects) {
   const std::optional<Pending> pending = commands_.take(number);
   if (!pending) {
-    effects.emplace_back(Anomaly{"command " + skein::to_text(number) + " is not pending, yet " +
-                                 std::string(to_text(state))});
+    effects.emplace_back(Anomaly{comes_late(number, commands_.take_expired(number), state, why)});
     return;
   }
+  if (state == CommandState::kExpired) commands_.remember_expired(number, *pending);
   effects.emplace_back(changed(number, *pending, state, why));
   const auto uav = uavs_.find(pending->uav);
   if (uav == uavs_.end()) return;

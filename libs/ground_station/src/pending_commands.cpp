@@ -16,6 +16,10 @@ std::optional<TaskId> task_of(const Request& request) {
 
 }  // namespace
 
+std::string in_words(const PendingCommands::Pending& pending) {
+  return what_of(pending.request) + ", for " + pending.uav;
+}
+
 CommandChanged changed(CommandNumber number, const PendingCommands::Pending& pending,
                        CommandState state, const std::string& why) {
   return {number, pending.uav,      what_of(pending.request), state,
@@ -41,6 +45,16 @@ std::optional<PendingCommands::Pending> PendingCommands::take(CommandNumber numb
   pending_.erase(found);
   deadlines_.erase({given_up_at(pending), number});
   return pending;
+}
+
+void PendingCommands::remember_expired(CommandNumber number, const Pending& pending) {
+  expired_.insert_or_assign(number, pending);
+  if (expired_.size() > kExpiredKept) expired_.erase(expired_.begin());
+}
+
+std::optional<PendingCommands::Pending> PendingCommands::take_expired(CommandNumber number) {
+  auto found = expired_.extract(number);
+  return found ? std::optional(std::move(found.mapped())) : std::nullopt;
 }
 
 std::optional<CommandChanged> PendingCommands::deliver(CommandNumber number) {

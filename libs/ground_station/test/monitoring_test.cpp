@@ -17,6 +17,7 @@ using testing::abort_of;
 using testing::at;
 using ::testing::ElementsAre;
 using testing::first;
+using ::testing::HasSubstr;
 using testing::id;
 using ::testing::IsEmpty;
 using testing::only;
@@ -124,15 +125,39 @@ TEST(Monitoring, AnAnswerUnderWayAtTheExpiryStillCounts) {
   EXPECT_THAT(states(too_late), ElementsAre(CommandState::kExpired));
 }
 
-TEST(Monitoring, AnAnswerAfterTheEndIsAnAnomaly) {
+// Found by an outsider's missions: it said that "command 1 is not pending, yet acknowledged".
+TEST(Monitoring, AnAnswerToWhatHasExpiredIsToldOnceWithWhatWasAsked) {
+  const auto answered = [](bool accepted) {
+    Monitoring mcs = two_uavs();
+    mcs.handle(a_command(start_of(3), 10), at(1));
+    mcs.handle(Tick{}, at(50));
+    const RequestReplyReceived answer{CommandNumber(1), accepted, accepted ? "" : "known id"};
+    const Effects effects = mcs.handle(answer, at(51));
+    EXPECT_THAT(states(effects), IsEmpty());
+    const Effects again = mcs.handle(answer, at(52));
+    EXPECT_THAT(only<Anomaly>(again), SizeIs(1));
+    EXPECT_THAT(only<Anomaly>(again)[0].why, HasSubstr("is not pending"));
+    const auto told = only<Anomaly>(effects);
+    return told.size() == 1 ? told[0].why : "";
+  };
+
+  EXPECT_EQ(answered(true),
+            "command 1 (START 3 goto, for marvin) had expired, and was carried out all the same");
+  EXPECT_EQ(answered(false),
+            "command 1 (START 3 goto, for marvin) had expired, and was refused later: known id");
+}
+
+TEST(Monitoring, OnlySoManyExpiredCommandsAreRemembered) {
   Monitoring mcs = two_uavs();
-  mcs.handle(a_command(start_of(3), 10), at(1));
+  for (int i = 0; i < 65; ++i) mcs.handle(a_command(start_of(3), 10), at(1));
   mcs.handle(Tick{}, at(50));
 
-  const Effects effects = mcs.handle(RequestReplyReceived{CommandNumber(1), true, ""}, at(51));
-
-  EXPECT_THAT(states(effects), IsEmpty());
-  EXPECT_THAT(only<Anomaly>(effects), SizeIs(1));
+  const auto told = [&](std::uint64_t number) {
+    return first<Anomaly>(mcs.handle(RequestReplyReceived{CommandNumber(number), true, ""}, at(51)))
+        .why;
+  };
+  EXPECT_THAT(told(1), HasSubstr("is not pending"));
+  EXPECT_THAT(told(2), HasSubstr("all the same"));
 }
 
 TEST(Monitoring, ItIsToldOnceThatACommandIsWithTheUavsNodeBeforeThatAnswers) {

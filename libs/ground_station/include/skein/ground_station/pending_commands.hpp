@@ -19,6 +19,8 @@ namespace skein::ground_station {
 /// about all of a UAV.
 class PendingCommands {
  public:
+  static constexpr std::size_t kExpiredKept = 64;
+
   struct Pending {
     std::string uav;
     Request request;
@@ -35,6 +37,10 @@ class PendingCommands {
   const Pending* find(CommandNumber number) const;
   /// It is over. Absent: it is over already, or there never was one.
   std::optional<Pending> take(CommandNumber number);
+  /// It has expired: it is remembered among the last ones, since an answer may come all the same.
+  void remember_expired(CommandNumber number, const Pending& pending);
+  /// One that has expired, once. Absent: that is not so, or long ago.
+  std::optional<Pending> take_expired(CommandNumber number);
   /// Absent: it is over, or its delivery was told.
   std::optional<CommandChanged> deliver(CommandNumber number);
 
@@ -53,9 +59,13 @@ class PendingCommands {
  private:
   std::map<CommandNumber, Pending> pending_;
   std::set<std::pair<MissionTime, CommandNumber>> deadlines_;
+  std::map<CommandNumber, Pending> expired_;  ///< the last kExpiredKept
   Duration grace_;
   std::uint64_t last_number_ = 0;
 };
+
+/// In words: "START 3 goto, for marvin".
+std::string in_words(const PendingCommands::Pending& pending);
 
 /// For the journal. `why`: of its end.
 CommandChanged changed(CommandNumber number, const PendingCommands::Pending& pending,
