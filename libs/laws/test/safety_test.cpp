@@ -173,9 +173,9 @@ TEST(ClosedAir, WhatAnOperatorClosesIsClosedAndWhatOneOpensIsOpen) {
     Story story("", by_script + operators);
     story.flies("marvin", 0, 70, {150, 150, 40}, {150, 150, 40});
     story.flies("marvin", 71, 120, {150, 150, 40}, {150, 50, 40});
-    if (closed_by_operator) story.operates(50, "shut", "marvin");
+    if (closed_by_operator) story.step(50, "shut", "marvin", true);
     if (!closed_by_operator) story.step(50, "close", "marvin");
-    if (opened) story.operates(60, "open", "marvin");
+    if (opened) story.step(60, "open", "marvin", true);
     return story.broken("closed-air");
   };
 

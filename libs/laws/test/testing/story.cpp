@@ -156,18 +156,12 @@ Story& Story::contact(const std::string& uav, double at, const std::string& poli
   return add(at, uav, lines::Contact{.uav = uav, .policy = policy});
 }
 
-Story& Story::step(double at, const std::string& name, const std::string& told) {
-  return add(at, "ground", lines::Step{.name = name}).hears_of_the_world(at + 0.02, told);
-}
-
-Story& Story::operates(double at, const std::string& name, const std::string& told) {
-  return add(at, "ground", lines::Operator{.does = name}).hears_of_the_world(at + 0.02, told);
-}
-
-Story& Story::hears_of_the_world(double at, const std::string& uav) {
+Story& Story::step(double at, const std::string& name, const std::string& told, bool by_operator) {
+  if (by_operator) add(at, "ground", lines::Operator{.does = name});
+  if (!by_operator) add(at, "ground", lines::Step{.name = name});
   return add(
-      at, uav,
-      lines::Message{.slot = "WorldChange", .from = "ground", .to = uav, .direction = "received"});
+      at + 0.02, told,
+      lines::Message{.slot = "WorldChange", .from = "ground", .to = told, .direction = "received"});
 }
 
 Story& Story::dates_by_ground() {

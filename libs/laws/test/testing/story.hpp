@@ -102,10 +102,9 @@ class Story {
   Story& degree(const std::string& uav, double at, int degree);
   /// Its contact-loss policy is carried out.
   Story& contact(const std::string& uav, double at, const std::string& policy);
-  /// Of the script: one UAV is told of it.
-  Story& step(double at, const std::string& name, const std::string& told);
-  /// Likewise of a scripted operator.
-  Story& operates(double at, const std::string& name, const std::string& told);
+  /// Of the script, or a scripted operator does it: one UAV is told of it.
+  Story& step(double at, const std::string& name, const std::string& told,
+              bool by_operator = false);
   /// The ground station says when others come.
   Story& dates_by_ground();
   /// Where perceptions put an alarm.
@@ -152,7 +151,6 @@ class Story {
     return line(journal::record_of(MissionTime::seconds(at), node, std::move(what)));
   }
 
-  Story& hears_of_the_world(double at, const std::string& uav);
   std::vector<journal::Record> ordered() const;
 
   scenario::Scenario scenario_;
