@@ -84,7 +84,10 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
     lives.present().newest_heartbeat = heartbeat.header.sequence_number;
   }
   lives.heard_present(restarted);
+  const bool was_heard = is_heard_;
   take_acknowledgement(heartbeat, out);
+  // It may never have been silent here, and would wait for the heartbeat of the period.
+  if (was_heard && !is_heard_) heartbeats_.at_once(now.steady);
   if (!reachable_ || restarted) {
     out.emplace_back(Reachability{channels().number, true, restarted});
     session().resend();

@@ -11,6 +11,7 @@
 
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/blackboard/memory_transport.hpp"
+#include "testing/memory_boards.hpp"
 
 namespace skein::blackboard {
 namespace {
@@ -95,6 +96,34 @@ TEST(Reachability, ACutThatNobodyTellsOfIsKnownWithinThreeHeartbeatsAndAReturnWi
   team.hub.carry(number(0), number(1), true);
   team.run_until(team.now() + periods(2));
   EXPECT_TRUE(team.hears(1, 0));
+}
+
+// Found by missions over mountains (--anything --minds --rough 104): amid a cut the link was there
+// for a second, in which one heard the other, which so never lost it, and then did not greet.
+TEST(Reachability, WhoHearsThatItIsNotHeardSaysSomethingAtOnce) {
+  const Duration kSeldom = Duration::seconds(2);
+  testing::MemoryBoards boards([](NodeNumber, Incoming&&) {});
+  for (const std::size_t node : {0U, 1U}) {
+    Config config;
+    config.self = number(node);
+    config.heartbeat_period = kSeldom;
+    config.channels = radio_link(named(node), named(1 - node));
+    boards.start(config);
+  }
+  const auto link = [&](double at, bool up) {
+    boards.run_until(Duration::seconds(at));
+    boards.set_condition(number(0), number(1), {.up = up, .latency = {}, .loss = 0});
+  };
+  link(10, false);
+  link(14, true);
+  link(15, false);
+  boards.run_until(Duration::seconds(19));
+  ASSERT_TRUE(boards[number(0)].reachable(number(1))) << "it heard it at 14 s";
+  ASSERT_FALSE(boards[number(1)].reachable(number(0))) << "its greeting came too early";
+
+  link(19, true);
+  boards.settle();
+  EXPECT_TRUE(boards[number(1)].reachable(number(0)));
 }
 
 // The third is there before three periods are over, whenever the two were lost.
