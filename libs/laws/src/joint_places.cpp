@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "checks.hpp"
@@ -50,10 +51,19 @@ namespace {
 constexpr double kTelling = 5;  // [s] by radio, of where a point is
 constexpr double kOldest = 30;  // [s] what sensors saw before counts as unknown (spec 7.6)
 
-/// Where a name of a constraint is in truth.
-std::optional<world::Vector3> where(const History& history, const std::string& name, double at) {
-  if (const auto uav = history.uavs.find(name); uav != history.uavs.end()) {
-    const auto sample = uav->second.at(at);
+/// The last instant until `at` until which it surely heard what the ground station told.
+double last_told(const History& history, const std::string& uav, double at) {
+  const auto& named = history.scenario->radio.relays;
+  std::set<std::string> relays(named.begin(), named.end());
+  std::erase_if(relays, [&](const std::string& one) { return history.dead.contains(one); });
+  return history.joint.last_reached("ground", uav, relays, at, kTelling);
+}
+
+/// Where a name of a constraint is in truth, or for all that the UAV may know.
+std::optional<world::Vector3> where(const History& history, const std::string& name,
+                                    const std::string& uav, double at) {
+  if (const auto moving = history.uavs.find(name); moving != history.uavs.end()) {
+    const auto sample = moving->second.at(at);
     return sample ? std::optional(sample->position) : std::nullopt;
   }
   std::optional<world::Vector3> place = history.place(name, at);
@@ -62,10 +72,13 @@ std::optional<world::Vector3> where(const History& history, const std::string& n
     // While it is on its way, some know and some do not.
     place = told.at + kTelling < at ? std::optional(told.position) : std::nullopt;
   }
-  // What moves all the time is where it was said to be last, unless that is long ago.
+  // What moves all the time is where it was said to be last, unless that is long ago, or was not
+  // heard here.
+  const double heard = last_told(history, uav, at);
   for (const ObjectTold& told : history.objects_told) {
     if (told.name != name || told.told > at) continue;
-    place = at - told.seen < kOldest - kTelling ? std::optional(told.position) : std::nullopt;
+    const bool known = at - told.seen < kOldest - kTelling && told.told <= heard;
+    place = known ? std::optional(told.position) : std::nullopt;
   }
   return place;
 }
@@ -121,7 +134,7 @@ std::vector<Violation> distances_broken(const History& history, const PlaceTold&
       const auto* word = std::get_if<std::string>(&instance.arguments.at(constraint.of.front()));
       if (required == nullptr || word == nullptr) continue;
       for (const std::string& name : names_of(history, told, variant, *word)) {
-        const auto at = where(history, name, told.at);
+        const auto at = where(history, name, told.uav, told.at);
         if (!at) continue;
         const bool moves = history.uavs.count(name) > 0;
         const double old = moves ? kSeconds * history.uavs.at(name).spec->model.max_speed : 0;

@@ -217,20 +217,32 @@ bool lost_its_player(const JointHistory& history, const std::string& uav,
          history.cut_off(uav, "ground", left.at - kSilence, left.at);
 }
 
+/// From when on it had nothing to do for the others any more: its end, or its last flight.
+double done_for_others(const JointHistory& history, const JointTold& ended) {
+  const auto [from, until] = played(ended);
+  const RoleTaskTold* last = nullptr;
+  for (const RoleTaskTold& one : history.tasks)
+    if (one.uav == ended.uav && one.joint == ended.joint && from <= one.at && one.at <= until)
+      last = &one;
+  return last != nullptr && last->type == "goto" ? last->at : until;
+}
+
 /// When the other had already ended, it was interrupted from outside on its way out, lost the
 /// ground station that played its role, or gave up hearing of that over a radio that was down all
-/// the while, be it by its contact-loss policy.
+/// the while, be it by its contact-loss policy, or while the other was on its last flight.
 bool left_without_knowing(const JointHistory& history, const JointTold& aborted,
                           const JointTold& ended) {
   const auto left = std::find_if(aborted.phases.begin(), aborted.phases.end(), [](const auto& one) {
     return one.phase == "leaving" || one.phase == "aborted";
   });
-  const double end = ended.phases.back().at;
-  if (left == aborted.phases.end() || left->at <= end) return false;
+  if (left == aborted.phases.end()) return false;
+  const double end = ended.phases.back().at, done = done_for_others(history, ended);
   const bool for_silence = left->why.starts_with("no contact with '" + ended.uav + "'") ||
                            left->why.starts_with("contact lost: ");
-  return left->why == "interrupted" || lost_its_player(history, aborted.uav, *left) ||
-         (for_silence && history.cut_off(aborted.uav, ended.uav, end, left->at));
+  if (for_silence && left->at > done && history.cut_off(aborted.uav, ended.uav, done, left->at))
+    return true;
+  return left->at > end &&
+         (left->why == "interrupted" || lost_its_player(history, aborted.uav, *left));
 }
 
 std::vector<Violation> joint_tasks_apart(const History& history) {

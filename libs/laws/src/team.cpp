@@ -50,20 +50,25 @@ double counted_since(const History& history, const std::string& uav) {
   return lost == history.lost.end() ? 0 : lost->second.back().second;
 }
 
+// Who is not in the team has no vote, and its word makes no majority.
+std::set<std::string> voters(const History& history) {
+  if (const auto& team = history.scenario->team)
+    return {team->roster.names().begin(), team->roster.names().end()};
+  std::set<std::string> all{"ground"};
+  for (const auto& [name, it] : history.uavs) all.insert(name);
+  return all;
+}
+
 // It has been in reach of most of those who vote for as long as a sale takes, over links of its
 // own.
 bool may_be_sold_to(const History& history, const std::string& uav, double from) {
   const double since = std::max(from, counted_since(history, uav));
   if (since == kNever) return false;
-  std::size_t voters = 1, heard = 1;
-  const auto count = [&](const std::string& other) {
-    ++voters;
-    heard += history.joint.up_for(uav, other, since, history.end) > kSold ? 1 : 0;
-  };
-  for (const auto& [other, it] : history.uavs)
-    if (other != uav) count(other);
-  count("ground");
-  return 2 * heard > voters;
+  const std::set<std::string> all = voters(history);
+  const auto heard = std::ranges::count_if(all, [&](const std::string& other) {
+    return other == uav || history.joint.up_for(uav, other, since, history.end) > kSold;
+  });
+  return 2 * static_cast<std::size_t>(heard) > all.size();
 }
 
 // To the end.
@@ -112,14 +117,19 @@ constexpr double kRest = 10, kBegun = 40;
 // The last instant at which it heard so many of the others that they and it were the most. Who is
 // declared lost does not count.
 double last_with_most(const History& history, const std::string& uav) {
-  std::set<std::string> nodes{"ground"};
-  for (const auto& [name, it] : history.uavs)
-    if (name == uav || !history.lost_since(name, history.end)) nodes.insert(name);
+  std::set<std::string> relays{"ground"}, all = voters(history);
+  for (const auto& [name, it] : history.uavs) {
+    const bool is_lost = name != uav && history.lost_since(name, history.end);
+    if (is_lost)
+      all.erase(name);
+    else
+      relays.insert(name);
+  }
   std::vector<double> heard;
-  for (const std::string& other : nodes)
-    if (other != uav) heard.push_back(history.joint.last_reached(other, uav, nodes, history.end));
+  for (const std::string& other : all)
+    if (other != uav) heard.push_back(history.joint.last_reached(other, uav, relays, history.end));
   std::sort(heard.rbegin(), heard.rend());
-  return heard.at(nodes.size() / 2 - 1);
+  return heard.empty() ? history.end : heard.at((heard.size() + 1) / 2 - 1);
 }
 
 // Since when it has had no goal that is open, been at that degree, and lived; never: it has one.

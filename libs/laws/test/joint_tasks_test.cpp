@@ -151,6 +151,24 @@ TEST(JointLaws, WhoGivesUpHearingOfTheEndOverARadioThatIsDownIsNotApartFromThem)
   EXPECT_THAT(gives_up(60, 0), ElementsAre(HasSubstr("has ended at marvin")));
 }
 
+// Found by missions over mountains (--partners --rough 33): 19 s after the radio was cut there was
+// nothing left to do together, and the other was on its way to where it waits then.
+TEST(JointLaws, WhoGivesUpHearingOfOneOnItsLastFlightIsNotApartFromIt) {
+  const auto gives_up = [](double down, const std::string& last) {
+    Told told;
+    told.link(0, true).link(down, false);
+    told.phase(10, "marvin", "running", "watch").componel(11, "marvin", "w1", "ended");
+    told.phase(10, "heliv", "running", "relay").componel(11, "heliv", "r1", "ended");
+    told.task(40, "marvin", last).phase(110, "marvin", "ended", "watch");
+    return told.phase(95, "heliv", "aborted", "relay", "no contact with 'marvin'")
+        .broken(joint_tasks_apart);
+  };
+
+  EXPECT_THAT(gives_up(35, "goto"), IsEmpty());
+  EXPECT_THAT(gives_up(35, "perceive"), SizeIs(1)) << "it has more to do than to fly";
+  EXPECT_THAT(gives_up(45, "goto"), SizeIs(1)) << "in reach when it was done";
+}
+
 // Found by storms (escort-ground-plays 409): on its last flight, a minute after the other's end.
 TEST(JointLaws, WhoLosesTheGroundStationThatPlaysItsRoleIsNotApartFromThoseThatEnded) {
   const auto left = [](double down, double ended) {
@@ -322,6 +340,23 @@ TEST(JointLaws, WhereAThingIsSeenLaterSaysNothingOfAPlaceBefore) {
 
   EXPECT_THAT(told.place(85, "marvin", "far", {60, 0, 30}).broken(places_against_constraints),
               SizeIs(1));
+}
+
+// Found by missions over mountains (--fires --rough 26): behind a ridge nobody hears where the
+// ground station saw a front since.
+TEST(JointLaws, AThingIsWhereTheUavHeardLastThatItWasSeen) {
+  const auto kept = [](double down, double up) {
+    Told told;
+    told.link(0, true, "marvin", "ground").link(down, false, "marvin", "ground");
+    told.link(up, true, "marvin", "ground");
+    told.seen(80, "P1", {60, 0, 30}).place(90, "marvin", "far", {60, 0, 30});
+    return told.broken(places_against_constraints);
+  };
+
+  EXPECT_THAT(kept(200, 201), SizeIs(1));
+  EXPECT_THAT(kept(70, 100), IsEmpty());
+  EXPECT_THAT(kept(70, 88), IsEmpty()) << "it may not have come yet";
+  EXPECT_THAT(kept(70, 82), SizeIs(1));
 }
 
 TEST(JointLaws, APlaceKeepsApartFromPartners) {

@@ -188,6 +188,18 @@ TEST(TeamOwned, WhoIsOutOfReachOfMostCannotBeSoldTo) {
   EXPECT_THAT(last_heard(90), SizeIs(1));
 }
 
+// Found by random missions (--anything 989014): with a robot that is not of the team, and has no
+// vote, three of five were there.
+TEST(TeamOwned, WhoIsNotOfTheTeamMakesNoMajorityOfIt) {
+  const auto without = [](const std::string& other) {
+    Story story("team: {members: [marvin, heliv], ground: false}\n");
+    story.degree("marvin", 0, 5).owner(20, 11, "for-sale", 0, "", "put back by marvin");
+    return story.link(25, "marvin", other, false).stands("marvin", 0, 200).broken("team-owned");
+  };
+  EXPECT_THAT(without("karma"), SizeIs(1));
+  EXPECT_THAT(without("heliv"), IsEmpty());
+}
+
 // Found by random missions (--anything --deaths 1001): it sold them, out of the station's reach.
 TEST(TeamOwned, WhatIsSoldBeyondTheGroundStationsReachItCannotKnow) {
   const auto last_heard = [](double at) {

@@ -127,9 +127,9 @@ void JointHistory::hear(const journal::lines::Role& line, const journal::Written
     told->componels.push_back({when.at.to_seconds(), line.role, line.componel, line.state});
 }
 
-void JointHistory::hear(const journal::lines::RoleTask& line, const journal::Written&) {
-  tasks.push_back(
-      {line.uav, line.joint, line.role, line.componel, static_cast<std::int64_t>(line.task)});
+void JointHistory::hear(const journal::lines::RoleTask& line, const journal::Written& when) {
+  tasks.push_back({line.uav, line.joint, line.role, line.componel,
+                   static_cast<std::int64_t>(line.task), when.at.to_seconds(), line.type});
 }
 
 void JointHistory::hear(const journal::lines::Negotiation& line, const journal::Written& when) {

@@ -62,8 +62,14 @@ class Told {
                                      .role = role,
                                      .why = why});
   }
-  Told& link(double at, bool up, const std::string& to = "marvin") {
-    return see(at, "sim", journal::lines::Link{.from = "heliv", .to = to, .up = up});
+  Told& link(double at, bool up, const std::string& to = "marvin",
+             const std::string& from = "heliv") {
+    return see(at, "sim", journal::lines::Link{.from = from, .to = to, .up = up});
+  }
+  Told& task(double at, const std::string& uav, const std::string& type) {
+    return see(at, uav,
+               journal::lines::RoleTask{
+                   .uav = uav, .joint = kJoint, .role = "watch", .componel = "w2", .type = type});
   }
   Told& componel(double at, const std::string& uav, const std::string& name,
                  const std::string& state) {

@@ -48,6 +48,8 @@ struct JointTold {
 struct RoleTaskTold {
   std::string uav, joint, role, componel;
   std::int64_t task = 0;
+  double at = 0;
+  std::string type;
 };
 
 /// The outcome of a negotiation session at one UAV.
