@@ -73,7 +73,9 @@ void Monitoring::send(CommandNumber number, MissionTime now, Effects& effects) {
   if (found == nullptr) return;
   const Pending& pending = *found;
   if (pending.expires <= now) {
-    return close(number, CommandState::kExpired, "it waited for a change of degree", effects);
+    return close(number, CommandState::kExpired,
+                 "it waited for a change of degree, and the plan that is handed over with it",
+                 effects);
   }
   Record& record = uavs_.at(pending.uav);
   const auto problems = checks_.problems_of(pending.request, addressee(record), now);

@@ -269,7 +269,8 @@ std::vector<Violation> kept_while_late(const History& history) {
       const auto promise = uav->second.promised.find(work.goal);
       if (promise == uav->second.promised.end()) continue;
       const double promised = promise->second.second, due = promised + kBehind + kHeard;
-      if (std::min(work.over, history.end) <= due) continue;
+      const bool of_former_life = promised < work.begun;  // what forgot numbers its goals anew
+      if (of_former_life || std::min(work.over, history.end) <= due) continue;
       if (!takes_part(history, uav->second, work.begun, due)) continue;
       for (const auto& [other, kept] : history.team.tasks) {
         if (other == number || !still_owned(kept, work, due)) continue;

@@ -336,6 +336,13 @@ TEST(TeamLate, ItIsTheFirstPlanThatPromises) {
   EXPECT_THAT(story.broken("team-late"), SizeIs(1));
 }
 
+// Found by an outsider's missions: a node that came back without its memory.
+TEST(TeamLate, WhatAnotherLifePromisedForAGoalOfThatNumberIsNoPromise) {
+  Story story = at_work();
+  story.team("marvin", 75, 11, 1, "put-back").team("marvin", 300, 11, 2, "begun");
+  EXPECT_THAT(story.broken("team-late"), IsEmpty());
+}
+
 // Found by random missions (--anything --minds 132): it had flown out of the station's reach.
 TEST(TeamLate, WhatIsPutBackBeyondTheGroundStationsReachItCannotKnow) {
   const auto in_reach_from = [](double at) {
