@@ -76,11 +76,14 @@ void Deliberation::vehicle_told(const world::Telemetry& telemetry) {
   tell(supervisor::VehicleSeen{telemetry.state, telemetry.failed});
 }
 
-// Plans are made with where an object that moves was when it had moved by so much.
+// Plans are made with where an object that moves was when it had moved by so much, or behind a
+// crest.
 void Deliberation::place_told(const mission::ChangeWorld& told) {
   if (told.place && told.place->seen) {
     const auto [known, added] = planned_with_.try_emplace(told.place->name, told.place->at);
-    if (!added && (known->second - told.place->at).norm() < kMoved) return;
+    const bool moved = added || (known->second - told.place->at).norm() >= kMoved;
+    if (!moved && !(supervisor_ && supervisor_->loses_sight_of(told.place->name, told.place->at)))
+      return;
     known->second = told.place->at;
   }
   tell(supervisor::WorldChanged{told});

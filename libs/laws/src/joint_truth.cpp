@@ -64,11 +64,31 @@ bool at_one_time(const std::vector<Held>& held, const std::string& joint) {
   return last_begin < first_end;
 }
 
+/// UAVs with that role that died when it was to begin, before they could tell that it did. The
+/// others go on without them as without one that dies later.
+int died_before_it_began(const History& history, const std::string& joint,
+                         const std::string& role) {
+  const auto died = [&](const JointTold& told) {
+    for (std::size_t i = 0; i < told.phases.size(); ++i) {
+      const JointTold::Phase& phase = told.phases[i];
+      const bool is_last = i + 1 == told.phases.size();
+      if (phase.phase != "loaded" || phase.role != role) continue;
+      if (!is_last && told.phases[i + 1].phase == "running") continue;
+      if (history.was_away(told.uav, phase.at, is_last ? kNever : told.phases[i + 1].at))
+        return true;
+    }
+    return false;
+  };
+  const auto& all = history.joint.joints;
+  return static_cast<int>(std::ranges::count_if(
+      all, [&](const JointTold& told) { return told.joint == joint && died(told); }));
+}
+
 std::string roles_missing(const History& history, const std::string& joint,
                           const interaction::Variant& variant) {
   const std::vector<Held> held = roles_held(history.joint);
   for (const auto& [role, arity] : variant.table.arities) {
-    const int most = most_at_once(held, joint, role);
+    const int most = most_at_once(held, joint, role) + died_before_it_began(history, joint, role);
     if (most < arity.least) {
       return "role " + role + " was held by " + std::to_string(most) + " at once, of " +
              std::to_string(arity.least);

@@ -27,12 +27,12 @@ std::set<std::string> partners_of(const Uav& uav, const mission::HighLevelTask& 
   return partners;
 }
 
-/// That instant, or when the partner died if that was before.
-double alive(const History& history, const std::string& partner, double heard, double at) {
+/// That instant, or when the partner died if it is dead then.
+double alive_until(const History& history, const std::string& partner, double at) {
   if (const auto dead = history.away.find(partner); dead != history.away.end())
     for (const auto& [from, until] : dead->second)
-      if (from <= at && at <= until) heard = std::min(heard, from);
-  return heard;
+      if (from <= at && at <= until) at = from;
+  return at;
 }
 
 std::set<std::string> relays_of(const History& history) {
@@ -43,18 +43,18 @@ std::set<std::string> relays_of(const History& history) {
 /// Since when the partner could not be heard, without a break until `at`; absent: it could be.
 std::optional<double> silent_since(const History& history, const Uav& uav,
                                    const std::string& partner, double at) {
-  const double heard = history.joint.last_reached(partner, uav.name(), relays_of(history), at);
-  const double since = alive(history, partner, heard, at);
+  const double since = history.joint.last_reached(partner, uav.name(), relays_of(history),
+                                                  alive_until(history, partner, at));
   return since < at ? std::optional(since) : std::nullopt;
 }
 
 /// When the partner was last heard for long enough to be noticed, which takes its time past relays.
 double noticed_last(const History& history, const Uav& uav, const std::string& partner, double at) {
   const double past_relays = HealingLimits().rerouting.to_seconds();
-  const double heard = std::max(
-      history.joint.last_reached(partner, uav.name(), {}, at, kNoticed),
-      history.joint.last_reached(partner, uav.name(), relays_of(history), at, past_relays));
-  return alive(history, partner, heard, at);
+  const double alive = alive_until(history, partner, at);
+  return std::max(
+      history.joint.last_reached(partner, uav.name(), {}, alive, kNoticed),
+      history.joint.last_reached(partner, uav.name(), relays_of(history), alive, past_relays));
 }
 
 bool may_wait(const Execution& one) {

@@ -204,8 +204,8 @@ bool would_make_another_late(const History& history, const Goal& goal) {
 // turns, that it needs; behind it, it may be heard by nobody (whether it was, `reasons` judges).
 bool is_too_steep_for(const History& history, const Uav& uav, const std::string& why) {
   static constexpr std::array kWhys{
-      "ground",          "no free way with turns", "contact",
-      "come into reach", "does not plan to come",  "depends on what failed"};
+      "ground",          "no free way with turns", "no free air",      "contact",
+      "come into reach", "does not plan to come",  "without an offer", "depends on what failed"};
   const bool of_it =
       std::any_of(kWhys.begin(), kWhys.end(), [&](const char* one) { return says(why, one); });
   return of_it && !rises_everywhere(history, uav.spec->model);

@@ -274,6 +274,20 @@ TEST(JointLaws, WhatIsAchievedTogetherWasDoneByAllAtOneTime) {
   EXPECT_THAT(alone.broken(joint_tasks_not_done), ElementsAre(HasSubstr("never took part")));
 }
 
+// Found by storms (agreed-places/around-cut 839): killed 0.1 s after the start, on its way.
+TEST(JointLaws, WhoDiesWhenItIsToBeginIsGoneOnWithout) {
+  const auto goes_on = [](double dies) {
+    Told told;
+    told.phase(8, "heliv", "loaded", "relay").dies("heliv", dies, dies + 20);
+    told.phase(10, "marvin", "running", "watch").perceives("marvin", 9, 20, 80);
+    told.is_at("marvin", {0, 0, 40}).phase(90, "marvin", "ended", "watch");
+    told.phase(70, "heliv", "aborted", "relay", "it knows nothing of this any more");
+    return told.goal(92, "marvin", "achieved").broken(joint_tasks_not_done);
+  };
+  EXPECT_THAT(goes_on(10.1), IsEmpty());
+  EXPECT_THAT(goes_on(75), ElementsAre(HasSubstr("role relay was held by 0")));
+}
+
 TEST(JointLaws, AnAreaThatIsSharedWasInViewOfAllTogether) {
   EXPECT_THAT(mapped({0, 0, 60}, {100, 0, 60}).broken(joint_tasks_not_done), IsEmpty());
   EXPECT_THAT(mapped({0, 0, 60}, {0, 0, 60}).broken(joint_tasks_not_done),

@@ -134,6 +134,20 @@ TEST(ReasonsLaw, WhoIsGivenUpWasSilentSinceThen) {
               ElementsAre(HasSubstr("until 90.0 s")));
 }
 
+// Found by missions over mountains (--partners --deaths 505): it died behind a ridge, where nobody
+// had heard it yet; the link to where it lay came later.
+TEST(ReasonsLaw, WhoDiedOutOfReachWasHeardBeforeThat) {
+  const auto up_at = [](double up) {
+    return given_up(" since 52 s")
+        .link(50, "heliv", "marvin", false)
+        .link(up, "heliv", "marvin", true)
+        .fault(90, "kill", "heliv")
+        .broken("reasons");
+  };
+  EXPECT_THAT(up_at(120), IsEmpty());
+  EXPECT_THAT(up_at(60), ElementsAre(HasSubstr("until 90.0 s")));
+}
+
 // Found by random missions (--partners --merged 982020): it came back while the plan without it was
 // made.
 TEST(ReasonsLaw, WhoIsGivenUpMayHaveJustComeBack) {

@@ -103,6 +103,8 @@ TEST(Feasible, OverGroundSteeperThanItClimbsAVehicleMayFindNoWay) {
 
   EXPECT_THAT(fails(120, "the ground is too near for its turns"), IsEmpty());
   EXPECT_THAT(fails(120, "no contact with 'heliv' since 60 s"), IsEmpty());
+  EXPECT_THAT(fails(120, "no free air beside it for partner 2"), IsEmpty());
+  EXPECT_THAT(fails(120, "half the time is over without an offer of heliv"), IsEmpty());
   EXPECT_THAT(fails(120, "no"), SizeIs(1));
   EXPECT_THAT(fails(5, "the ground is too near for its turns"), SizeIs(1));
 }

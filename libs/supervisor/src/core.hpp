@@ -23,6 +23,9 @@ class Supervisor::Core {
   bool engaged() const { return hand_over_.engaged(); }
   const mission::PlanReport& report() const { return out_.report(); }
   std::shared_ptr<const world::World> world() const { return beliefs_.shared_world(); }
+  bool loses_sight_of(const std::string& place, const world::Vector3& now) const {
+    return engaged() && contingencies_.loses_sight_of(place, now);
+  }
 
  private:
   MissionTime now() const { return out_.now(); }

@@ -22,6 +22,9 @@ std::optional<MissionTime> Supervisor::next_wakeup() const { return core_->next_
 bool Supervisor::engaged() const { return core_->engaged(); }
 const mission::PlanReport& Supervisor::report() const { return core_->report(); }
 std::shared_ptr<const world::World> Supervisor::world() const { return core_->world(); }
+bool Supervisor::loses_sight_of(const std::string& place, const world::Vector3& now) const {
+  return core_->loses_sight_of(place, now);
+}
 
 namespace {
 

@@ -155,6 +155,10 @@ class Told {
     airborne_ = true;
     return *this;
   }
+  Told& dies(const std::string& uav, double from, double until) {
+    away_[uav].emplace_back(from, until);
+    return *this;
+  }
   Told& goal(double at, const std::string& uav, const std::string& state) {
     Goal& one = goals_[uav];
     one.id = 70;
@@ -171,6 +175,7 @@ class Told {
     History history{&scenario_, world::Terrain(ground), {}, {}, {}, {}, {}, {}, 1000, false,
                     joint_};
     history.objects_told = seen_;
+    history.away = away_;
     for (const scenario::UavSpec& spec : scenario_.uavs) {
       Uav& uav = history.uavs[spec.name];
       uav.spec = &spec;
@@ -215,6 +220,7 @@ class Told {
   std::map<std::string, world::Vector3> at_;
   bool airborne_ = false;
   std::vector<ObjectTold> seen_;
+  std::map<std::string, std::vector<std::pair<double, double>>> away_;
   JointHistory joint_;
 };
 

@@ -18,7 +18,8 @@ namespace {
 constexpr double kSamePlace = 5, kStillInView = 15;
 /// So much of the half angle of its view a head is aimed past its place before it is aimed anew.
 constexpr double kOfItsView = 0.5;
-constexpr double kAimedAt = 1;  // [m]
+constexpr double kAimedAt = 1;             // [m]
+constexpr double kShows = 1, kBehind = 1;  // [m]
 /// So much later others may come without dates being promised anew.
 constexpr Duration kOthersVary = Duration::milliseconds(5000);
 
@@ -165,6 +166,17 @@ void Contingencies::check_devices(const std::set<std::string>& newly) {
 
 namespace {
 
+/// The ground hides it now, and did not before. What is seen of it moves about a little: it counts
+/// as hidden behind so much ground.
+bool is_hidden(const world::Terrain& terrain, const world::Vector3& eye,
+               const world::Vector3& before, const world::Vector3& now) {
+  const auto sees = [&](world::Vector3 at) {
+    at.z() = std::max(at.z(), terrain.elevation(at.x(), at.y())) + kShows;
+    return terrain.line_of_sight(eye, at, -kBehind);
+  };
+  return sees(before) && !sees(now);
+}
+
 // Roles of a joint task under way see to what moves.
 bool is_with_its_roles(const std::vector<const Entry*>& tasks) {
   return std::any_of(tasks.begin(), tasks.end(), [](const Entry* one) {
@@ -185,10 +197,9 @@ bool Contingencies::is_out_of_view(GoalId goal, const std::string& place,
          is_aimed_past(goal, known->second - all, known->second);
 }
 
-/// Some look of the goal, from where it looks or will, is aimed at where the place was `before`,
-/// and has it no longer well within its view.
-bool Contingencies::is_aimed_past(GoalId goal, const world::Vector3& before,
-                                  const world::Vector3& now) const {
+std::vector<Contingencies::Look> Contingencies::looks_at(GoalId goal,
+                                                         const world::Vector3& place) const {
+  std::vector<Look> looks;
   world::Vector3 from = beliefs_.vehicle().position;
   for (const Entry* one : book_.of(goal)) {
     if (!one->task.way.empty() && !one->done()) from = one->task.way.back();
@@ -197,14 +208,39 @@ bool Contingencies::is_aimed_past(GoalId goal, const world::Vector3& before,
     if (one->over() || target == nullptr || device == nullptr) continue;
     const world::SensorModel* sensor = world::find_sensor(beliefs_.model(), device->text);
     const world::Vector2 aim(target->numbers.at(0), target->numbers.at(1));
-    if (sensor == nullptr || !sensor->gimballed) continue;
-    if ((aim - before.head<2>()).norm() > kAimedAt) continue;
-    const world::Vector3 eye = world::eye_of(beliefs_.model(), from);
-    const double off =
-        std::acos(std::clamp((before - eye).normalized().dot((now - eye).normalized()), -1.0, 1.0));
-    if (off > kOfItsView * sensor->aperture) return true;
+    if (sensor == nullptr || (aim - place.head<2>()).norm() > kAimedAt) continue;
+    looks.push_back({world::eye_of(beliefs_.model(), from), sensor});
   }
-  return false;
+  return looks;
+}
+
+/// Some look of the goal is aimed at where the place was `before`, and has it no longer well within
+/// its view, or behind the ground.
+bool Contingencies::is_aimed_past(GoalId goal, const world::Vector3& before,
+                                  const world::Vector3& now) const {
+  const world::Terrain& terrain = beliefs_.world().terrain;
+  return std::ranges::any_of(looks_at(goal, before), [&](const Look& one) {
+    if (is_hidden(terrain, one.eye, before, now)) return true;
+    const double off = std::acos(
+        std::clamp((before - one.eye).normalized().dot((now - one.eye).normalized()), -1.0, 1.0));
+    return one.sensor->gimballed && off > kOfItsView * one.sensor->aperture;
+  });
+}
+
+bool Contingencies::loses_sight_of(const std::string& place, const world::Vector3& now) const {
+  const auto known = beliefs_.world().places.find(place);
+  if (known == beliefs_.world().places.end()) return false;
+  return std::ranges::any_of(book_.order, [&](GoalId id) {
+    const Goal& goal = book_.goals.at(id);
+    if (!goal.open() || !names(goal.task, place) || !book_.is_given(id)) return false;
+    if (is_with_its_roles(book_.of(id))) return false;
+    const auto moved = moved_.find(id);
+    const world::Vector3 before =
+        moved == moved_.end() ? known->second : world::Vector3(known->second - moved->second);
+    return std::ranges::any_of(looks_at(id, before), [&](const Look& one) {
+      return is_hidden(beliefs_.world().terrain, one.eye, before, now);
+    });
+  });
 }
 
 void Contingencies::look_elsewhere(const std::string& place, const world::Vector3& moved,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "commitment/committer.hpp"
 #include "jobs/agenda.hpp"
@@ -54,16 +55,25 @@ class Contingencies {
   void check_devices(const std::set<std::string>& newly);
   /// A place turned out to be `moved` [m] from where it was believed: goals about it are planned
   /// again; perceptions made so far count. A task under way goes on while it still has the place in
-  /// view; displacements add up. From near by, that is less than from far above. Precondition: the
-  /// beliefs have the place where it turned out to be.
+  /// view; displacements add up. From near by, that is less than from far above, and none where the
+  /// ground comes between. Precondition: the beliefs have the place where it turned out to be.
   void look_elsewhere(const std::string& place, const world::Vector3& moved,
                       const std::string& cause);
+  /// Whether tasks that are given look at the place from where the ground would hide it there.
+  bool loses_sight_of(const std::string& place, const world::Vector3& now) const;
 
  private:
+  /// A perception that is not over.
+  struct Look {
+    world::Vector3 eye;  ///< where it looks from or will [m]
+    const world::SensorModel* sensor;
+  };
   MissionTime now() const { return out_.now(); }
   void check_dates(const std::string& cause, Duration tolerance);
   void give_way();
   bool is_out_of_view(GoalId goal, const std::string& place, const world::Vector3& moved);
+  /// Those of the goal that are aimed at the place.
+  std::vector<Look> looks_at(GoalId goal, const world::Vector3& place) const;
   bool is_aimed_past(GoalId goal, const world::Vector3& before, const world::Vector3& now) const;
 
   Limits limits_;

@@ -117,6 +117,64 @@ TEST(SupervisorWorld, OtherPlacesDoNotMatter) {
   EXPECT_FALSE(desk.job_started());
 }
 
+// ---- places behind a crest ----
+
+// Found by missions over mountains (--fires --rough 7): a third of a fire's monitoring saw the
+// crest before it.
+class LookOverACrest : public ::testing::Test {
+ protected:
+  /// From 60 m over the foot of a hill at 200 m, 70 m high, at what is on its top.
+  static Desk looking() {
+    Config config = config_with_places();
+    auto knowledge = std::make_shared<Knowledge>(*config.knowledge);
+    world::SensorModel camera;
+    camera.device = "visible";
+    camera.aperture = 0.5;
+    camera.range = 400;
+    camera.gimballed = true;
+    knowledge->vehicle.sensors = {camera};
+    config.knowledge = knowledge;
+    auto world = std::make_shared<world::World>(*config.world);
+    world::TerrainSpec hill;
+    hill.west = hill.south = -400;
+    hill.east = hill.north = 400;
+    hill.cell = 5;
+    hill.hills.push_back({{200, 0}, 70, 60});
+    world->terrain = world::Terrain(hill);
+    config.world = world;
+    Desk desk = Desk::engaged(config);
+    desk.give(place_at("alarm:1", kTop));
+    desk.add(visit(1, 701, "alarm:1"));
+    desk.finish(inserted(
+        {701}, {TaskOf(100, "takeshot", 701).takes(100, 110).device("visible").target(kTop)}));
+    desk.flies({0, 0, 60});
+    desk.runs(100);
+    return desk;
+  }
+  static inline const Vector3 kTop{200, 0, 70};
+};
+
+TEST_F(LookOverACrest, GoesOnWhileItsPlaceIsInSight) {
+  Desk desk = looking();
+  const Vector3 lower{204, 0, 69};
+  EXPECT_FALSE(desk.supervisor.loses_sight_of("alarm:1", lower));
+
+  desk.at(10).give(place_at("alarm:1", lower));
+  EXPECT_FALSE(desk.job_started());
+}
+
+TEST_F(LookOverACrest, IsPlannedAnewOnceTheGroundHidesIt) {
+  Desk desk = looking();
+  const Vector3 behind{208, 0, 67};
+  EXPECT_TRUE(desk.supervisor.loses_sight_of("alarm:1", behind));
+  EXPECT_FALSE(desk.supervisor.loses_sight_of("alarm:2", behind));
+
+  desk.at(10).give(place_at("alarm:1", behind));
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_THAT(desk.requests(), Contains("ABORT 100"));
+  EXPECT_FALSE(desk.supervisor.loses_sight_of("alarm:1", {212, 0, 64})) << "it looks no more";
+}
+
 // ---- ground ----
 
 TEST(SupervisorWorld, RiskMappedAndBurningGroundIsPlannedWith) {

@@ -213,6 +213,10 @@ class Supervisor {
   /// The world as the supervisor believes it to be, at any degree. The returned object is
   /// immutable; a change of belief makes a new one.
   std::shared_ptr<const world::World> world() const;
+  /// Whether the UAV looks, or will with tasks that the executive has, at the place from where it
+  /// would be hidden by the ground if it were there now. The host need not tell every move of a
+  /// place, but this one.
+  bool loses_sight_of(const std::string& place, const world::Vector3& now) const;
 
  private:
   class Core;
