@@ -66,6 +66,16 @@ bool falls(const History& history, const std::string& name, double at) {
   return uav != history.uavs.end() && out_of_control(uav->second, at);
 }
 
+/// Its flight aside was aborted by a fault: it is asked again after ten seconds.
+bool is_kept_from_it(const History& history, const std::string& name, double from, double until) {
+  const auto uav = history.uavs.find(name);
+  if (uav == history.uavs.end()) return false;
+  return std::ranges::any_of(uav->second.activities, [&](const Activity& one) {
+    return one.type == "goto" && one.reason == "aborted by the functional layer" &&
+           from <= one.until && one.until <= until;
+  });
+}
+
 /// How long two may wait for each other where everybody hears everybody [s]: what they decide in,
 /// and on narrow links the words for that: for whom one waits, what another asks for to get out of
 /// the way, the answer.
@@ -95,6 +105,7 @@ void AirHistory::hear(const journal::lines::Air& line, const journal::Written& w
 }
 
 std::vector<Violation> waits_for_each_other(const History& history) {
+  constexpr double kAskedAgain = 10;  // [s]
   const double longest = longest_of_two(history.scenario->radio) + history.late;
   std::vector<Violation> result;
   Waits waits;
@@ -102,6 +113,9 @@ std::vector<Violation> waits_for_each_other(const History& history) {
   const auto over = [&](const Pair& pair, double from, double until) {
     if (until - from <= longest || !all_are_heard(history, from, until)) return;
     if (falls(history, pair.first, until) || falls(history, pair.second, until)) return;
+    const bool kept = is_kept_from_it(history, pair.first, from, until) ||
+                      is_kept_from_it(history, pair.second, from, until);
+    if (kept && until - from <= longest + kAskedAgain) return;
     result.push_back({"", from, pair.first, 0,
                       "it and " + pair.second + " wait for each other for their air, for " +
                           figure(until - from) + " s"});

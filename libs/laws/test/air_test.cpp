@@ -33,6 +33,18 @@ TEST(MutualLaw, WhoseEngineHasFailedGetsOutOfNobodysWay) {
   EXPECT_THAT(blocked(25).fault(21, "engine", "karma").broken("mutual"), SizeIs(1));
 }
 
+// Found by an outsider's missions (34): a fault that was to abort a flight met the one aside.
+TEST(MutualLaw, WhoseFlightAsideAFaultAbortsIsAskedAgainAfterTenSeconds) {
+  const auto aborted = [](double until, const std::string& reason) {
+    Story story = blocked(until);
+    story.does("heliv", {900, "goto", 0, 21, 21, "aborted", "", {}, reason});
+    return story.broken("mutual");
+  };
+  EXPECT_THAT(aborted(31.9, "aborted by the functional layer"), IsEmpty());
+  EXPECT_THAT(aborted(32.5, "aborted by the functional layer"), SizeIs(1));
+  EXPECT_THAT(aborted(31.9, "interrupted"), SizeIs(1));
+}
+
 TEST(MutualLaw, WhoGetsOutOfTheWayWithinTwoSecondsKeepsIt) {
   EXPECT_THAT(blocked(21.9).broken("mutual"), IsEmpty());
 }
