@@ -49,13 +49,20 @@ double stopping_speed(double acceleration, double distance) {
   return std::min(std::sqrt(acceleration * distance), world::kPositionGain * distance);
 }
 
-/// Stops where the way turns back, keeps its speed where it goes straight on.
-double corner_speed(const Fly& goal) {
-  if (goal.next == 0 || goal.next + 1 >= goal.waypoints.size()) return 0;
+/// At a way-point that is flown by: stops where the way turns back, keeps its speed where it goes
+/// straight on, and its climb on a slope.
+Guidance::Passage passage_of(const Fly& goal) {
+  if (goal.next == 0 || goal.next + 1 >= goal.waypoints.size()) return {};
   const Vector3 in = goal.waypoints[goal.next] - goal.waypoints[goal.next - 1];
   const Vector3 out = goal.waypoints[goal.next + 1] - goal.waypoints[goal.next];
-  const double lengths = in.norm() * out.norm();
-  return lengths > 0 ? goal.speed * (1 + in.dot(out) / lengths) / 2 : 0;
+  if (in.norm() <= 0 || out.norm() <= 0) return {};
+  const Vector3 before = in.normalized(), after = out.normalized();
+  Guidance::Passage passage;
+  passage.speed = goal.speed * (1 + before.dot(after)) / 2;
+  const bool goes_on = before.z() * after.z() > 0;
+  const double slope = std::min(std::abs(before.z()), std::abs(after.z()));
+  if (goes_on) passage.climb = passage.speed * std::copysign(slope, after.z());
+  return passage;
 }
 
 }  // namespace
@@ -168,7 +175,10 @@ Command Guidance::follow(const Descend& goal, const Vehicle& vehicle, const Vect
 Command Guidance::follow(const Fly& goal, const Vehicle& vehicle, const Vector3& error) const {
   const Vector3 aim = goal.waypoints[goal.next] + error;
   const double speed = pace() * goal.speed;
-  if (model_.hovers) return hover_towards(vehicle, aim, speed, pace() * corner_speed(goal));
+  if (model_.hovers) {
+    const Passage passage = passage_of(goal);
+    return hover_towards(vehicle, aim, speed, {pace() * passage.speed, pace() * passage.climb});
+  }
   Command command;
   command.speed = speed;
   const Vector2 position = vehicle.state().position.head<2>();
@@ -185,25 +195,25 @@ Command Guidance::follow(const Brake& goal, const Vehicle& vehicle, const Vector
 }
 
 Command Guidance::keep(const Vehicle& vehicle, const Vector3& at) const {
-  return model_.hovers ? hover_towards(vehicle, at, model_.cruise_speed, 0) : orbit(vehicle, at);
+  return model_.hovers ? hover_towards(vehicle, at, model_.cruise_speed, {}) : orbit(vehicle, at);
 }
 
 /// Straight at the point in space: the quicker of the two motions waits for the slower.
 Command Guidance::hover_towards(const Vehicle& vehicle, const Vector3& at, double speed,
-                                double speed_there) const {
+                                const Passage& there) const {
   const world::VehicleState& state = vehicle.state();
   const double distance = (at - state.position).head<2>().norm();
   if (model_.ground) {
-    const double stopping = std::hypot(speed_there, stopping_speed(model_.acceleration, distance));
+    const double stopping = std::hypot(there.speed, stopping_speed(model_.acceleration, distance));
     return {.speed = std::min(speed, stopping),
             .course = bearing(state.position.head<2>(), at.head<2>())};
   }
   const double rise = std::abs(allowed_height(state, at.z()) - state.position.z());
   Command command;
   command.course = bearing(state.position.head<2>(), at.head<2>());
-  command.climb = level_towards(state, at.z());
+  command.climb = level_towards(state, at.z(), there.climb);
   command.speed =
-      std::min(speed, std::hypot(speed_there, stopping_speed(model_.acceleration, distance)));
+      std::min(speed, std::hypot(there.speed, stopping_speed(model_.acceleration, distance)));
   if (distance < kNear || rise < kNear) return command;
   const double level_time = distance / command.speed;
   const double climb_time = rise / std::abs(command.climb);
@@ -256,10 +266,14 @@ double Guidance::allowed_height(const world::VehicleState& state, double height)
   return std::clamp(height, ground + kLeastHeight, ground + most);
 }
 
-double Guidance::level_towards(const world::VehicleState& state, double height) const {
-  const double error = allowed_height(state, height) - state.position.z();
+double Guidance::level_towards(const world::VehicleState& state, double height,
+                               double climb_there) const {
+  const double allowed = allowed_height(state, height);
+  const double error = allowed - state.position.z();
+  // Past the height, or where it may not go there, it comes back to it.
+  const double there = std::abs(allowed - height) > 0 || climb_there * error < 0 ? 0 : climb_there;
   const double rate = stopping_speed(model_.acceleration, std::abs(error));
-  return std::clamp(std::copysign(rate, error), -pace() * model_.descent_rate,
+  return std::clamp(there + std::copysign(rate, error), -pace() * model_.descent_rate,
                     pace() * model_.climb_rate);
 }
 

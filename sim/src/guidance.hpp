@@ -56,6 +56,12 @@ using Goal = std::variant<Stay, Hold, Rise, Descend, Fly, Brake>;
 /// | Hold, Stay | at once                                       | –           |
 class Guidance {
  public:
+  /// How a way-point is flown by [m/s].
+  struct Passage {
+    double speed = 0;
+    double climb = 0;
+  };
+
   /// The terrain must outlive the guidance.
   Guidance(const world::VehicleModel& model, const world::Terrain& terrain,
            const world::Wind& wind);
@@ -92,11 +98,12 @@ class Guidance {
 
   Command keep(const Vehicle& vehicle, const world::Vector3& at) const;
   Command hover_towards(const Vehicle& vehicle, const world::Vector3& at, double speed,
-                        double speed_there) const;
+                        const Passage& there) const;
   Command orbit(const Vehicle& vehicle, const world::Vector3& at) const;
   bool needs_room(const world::VehicleState& state, const world::Vector2& at, double radius) const;
   double allowed_height(const world::VehicleState& state, double height) const;
-  double level_towards(const world::VehicleState& state, double height) const;
+  double level_towards(const world::VehicleState& state, double height,
+                       double climb_there = 0) const;
   double pace() const;
   void avoid_ground(const Vehicle& vehicle, Command& command) const;
   double above_circle(const world::Vector3& at) const;

@@ -190,6 +190,38 @@ TEST(Guidance, AHelicopterSlowsDownWhereTheWayTurnsBack) {
   ASSERT_TRUE(f.guidance.done());
 }
 
+// Found by random missions (--merged 944210): down a slope by way-points every 45 m it braked at
+// each, and came 4 s later than was evaluated.
+TEST(Guidance, AHelicopterKeepsItsSpeedOnASlopeByWaypoints) {
+  const auto seconds = [](const std::string& name, double slope, int pieces) {
+    Flown f(name);
+    f.rise(slope < 0 ? 100 : 40);
+    const Vector3 from = f.vehicle.state().position, whole(300, 0, 300 * slope);
+    std::vector<Vector3> way;
+    for (int i = 1; i <= pieces; ++i) way.push_back(from + whole * i / pieces);
+    const double begun = f.time;
+    EXPECT_TRUE(f.fly(Fly{way, f.model.cruise_speed}));
+    return f.time - begun;
+  };
+  for (const char* name : {"marvin", "heliv"})
+    for (const double slope : {-0.15, 0.1})
+      EXPECT_NEAR(seconds(name, slope, 6), seconds(name, 0, 6), 1) << name << slope;
+}
+
+// It stood still where what it had to climb to the way-point and the slope behind it were equal.
+TEST(Guidance, AHelicopterBelowASlopeThatGoesDownComesToItsEnd) {
+  for (const double below : {0.5, 1.0, 1.5}) {
+    for (const double slope : {-0.1, -0.2, -0.4}) {
+      Flown f("marvin");
+      f.rise(60);
+      const Vector3 first = f.vehicle.state().position + Vector3(0, 0, below);
+      const std::vector<Vector3> way = {first, first + Vector3(4, 0, 4 * slope),
+                                        first + Vector3(60, 0, 60 * slope)};
+      EXPECT_TRUE(f.fly(Fly{way, f.model.cruise_speed}, 60)) << below << " " << slope;
+    }
+  }
+}
+
 TEST(Guidance, BrakingEndsAtRest) {
   Flown f("marvin");
   f.rise(40);
