@@ -71,6 +71,7 @@ void Autonomy::engage(bool resume, const std::string& cause, bool executed_here)
     std::vector<executive::TaskId>& here = engage.in_executive.emplace();
     for (const mission::HeldTask& one : core_.execution().held()) here.push_back(one.task.id);
   }
+  for (const auto& [task, type] : core_.vehicle().of_ground()) engage.elsewhere.push_back(task);
   core_.deliberation().engage(engage);
   core_.own_tasks().abort_all();
 }

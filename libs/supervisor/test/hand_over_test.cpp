@@ -9,6 +9,7 @@ using namespace testing;  // NOLINT: builders read as words
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 Desk under_way() {
   Desk desk = Desk::engaged();
@@ -82,6 +83,54 @@ TEST(SupervisorHandOver, WithResumePlansWhatIsLeftFromHere) {
                        {TaskOf(103, "goto", 701), TaskOf(104, "goto", 702).after(103)}));
   EXPECT_THAT(desk.requests(), Contains("START 103"));
   EXPECT_EQ(desk.state_of(702), "planned");
+}
+
+/// Its operator looked by hand (7) at degree 1, which goes on; planned anew on return.
+Desk given_back_while_looking() {
+  Desk desk = under_way();
+  desk.at(10).give(Disengage{"degree 1"});
+  desk.aborted_as_asked(100);
+  desk.seen(7, TaskState::kRunning, {}, "perceive");
+  desk.at(50).give(Engage{true, "given back", std::nullopt, {TaskId{7}}});
+  desk.finish(repaired(RepairStep::kReplan, {701, 702},
+                       {TaskOf(103, "goto", 701), TaskOf(104, "goto", 702).after(103)}));
+  return desk;
+}
+
+// Found by random missions (--anything --busy 6): conditions named a task that the executive on
+// board did not have yet, and each goal failed within a second.
+TEST(SupervisorHandOver, NothingOfThePlanFollowsATaskThatTheExecutiveHasNotYet) {
+  Desk desk = given_back_while_looking();
+  EXPECT_THAT(desk.requests(), IsEmpty());
+
+  desk.at(51).seen(7, TaskState::kScheduled, {}, "perceive");
+
+  EXPECT_THAT(desk.requests(), Contains("START 103"));
+  EXPECT_THAT(desk.started(103)->task.preconditions, SizeIs(1)) << "over 7";
+}
+
+TEST(SupervisorHandOver, WhatEndsElsewhereOrDoesNotComeBackIsNotFollowed) {
+  Desk ended = given_back_while_looking(), silent = given_back_while_looking();
+
+  ended.at(52).seen(7, TaskState::kEnded, {}, "perceive");
+  silent.at(54.9).give(Tick{});
+  EXPECT_THAT(silent.requests(), IsEmpty());
+  ASSERT_TRUE(silent.supervisor.next_wakeup().has_value());
+  silent.at(55).give(Tick{});
+
+  for (const Desk* desk : {&ended, &silent}) {
+    EXPECT_THAT(desk->requests(), Contains("START 103"));
+    EXPECT_THAT(desk->started(103)->task.preconditions, IsEmpty());
+  }
+}
+
+TEST(SupervisorHandOver, TakenInHandAgainItAwaitsNothingOfAnother) {
+  Desk desk = given_back_while_looking();
+  desk.at(52).give(Disengage{"degree 1"});
+  desk.at(56).give(Tick{});
+  desk.at(57).give(Engage{true, "given back", std::nullopt, {}});
+
+  EXPECT_TRUE(desk.job_started()) << "the look goes on, as far as it knows";
 }
 
 TEST(SupervisorHandOver, WithoutResumeLeavesThemAndPlansNewMissionsOnly) {

@@ -200,6 +200,11 @@ bool Book::is_led_away() const {
                      [](const auto& one) { return one.second.leads_away; });
 }
 
+bool Book::awaits_loose() const {
+  return std::any_of(loose.begin(), loose.end(),
+                     [](const auto& one) { return one.second.elsewhere; });
+}
+
 std::set<TaskId> Book::loose_users_of(const std::string& device) const {
   std::set<TaskId> result;
   for (const auto& [id, entry] : tasks) {

@@ -51,6 +51,7 @@ struct Loose {
   bool ran = false;         ///< the functional layer accepted it
   bool begun = false;       ///< the executive started it
   bool leads_away = false;  ///< given by an operator; the vehicle's position after it is unknown
+  bool elsewhere = false;   ///< another executive has it, which is to give it back
 };
 
 /// In Book::forgotten: the supervisor gave it, and another executive has it; it may come back.
@@ -120,6 +121,8 @@ class Book {
   std::set<TaskId> loose_users_of(const std::string& device) const;
   /// An operator's task that moves the vehicle away (Loose::leads_away) is not over.
   bool is_led_away() const;
+  /// Another executive is to give a task of no goal back: no condition may name it before.
+  bool awaits_loose() const;
   /// Open-ended tasks that wait for orders and are not over.
   std::vector<const Entry*> waits_for_orders() const;
   /// The vehicle has a reason to fly: a task that was not told to stop is under way, or one that

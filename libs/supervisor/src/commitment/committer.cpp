@@ -45,9 +45,10 @@ bool Committer::is_undated(GoalId goal) const {
 // never before the wait is under way. So does what comes behind a safe wait, but for the instant
 // that this takes to end. While a job runs, what it plans is not taken from it early. What is to
 // begin some time after another goal has no date until that is over. While an operator moves the
-// vehicle, where the plan begins is not known: it is made anew then.
+// vehicle, where the plan begins is not known: it is made anew then. What another executive is to
+// give back, a condition can name once it is here.
 std::optional<MissionTime> Committer::due(GoalId goal) const {
-  if (book_.is_led_away()) return std::nullopt;
+  if (book_.is_led_away() || book_.awaits_loose()) return std::nullopt;
   MissionTime first = MissionTime::max();
   for (const Entry* entry : book_.of(goal)) first = std::min(first, entry->dates.earliest_start);
   const auto waits = book_.waits_for_orders();

@@ -27,6 +27,8 @@ void HandOver::hand_over_goal(GoalId id) {
 void HandOver::give_up(const Disengage& input) {
   engaged_ = false;
   returning_.reset();
+  loose_until_.reset();
+  for (auto& [id, one] : book_.loose) one.elsewhere = false;
   for (const Evaluation& one : agenda_.clear()) {
     out_.add(MissionDecided{{one.mission.id, false, {input.cause}, true}});
   }
@@ -109,12 +111,28 @@ void HandOver::await_return(const std::string& cause) {
   if (!all.goals.empty()) returning_ = std::move(all);
 }
 
+// Those that lead the vehicle away are waited for to their end: where it is then is not known.
+void HandOver::await_loose(const std::vector<TaskId>& elsewhere) {
+  for (const TaskId id : elsewhere) {
+    const auto found = book_.loose.find(id);
+    if (found == book_.loose.end() || found->second.leads_away) continue;
+    found->second.elsewhere = true;
+    loose_until_ = now() + kComesBack;
+  }
+}
+
+void HandOver::forget_loose() {
+  loose_until_.reset();
+  std::erase_if(book_.loose, [](const auto& one) { return one.second.elsewhere; });
+}
+
 void HandOver::came_back(TaskId task) {
   if (!returning_ || returning_->missing.erase(task) == 0) return;
   if (returning_->missing.empty()) plan_returned();
 }
 
 void HandOver::time_passes() {
+  if (loose_until_ && now() >= *loose_until_) forget_loose();
   if (!returning_ || now() < returning_->until) return;
   for (const TaskId id : returning_->missing) {
     Entry& entry = book_.tasks.at(id);
@@ -124,7 +142,8 @@ void HandOver::time_passes() {
 }
 
 std::optional<MissionTime> HandOver::next_wakeup() const {
-  return returning_ ? std::optional(returning_->until) : std::nullopt;
+  const auto returning = returning_ ? std::optional(returning_->until) : std::nullopt;
+  return earliest(returning, loose_until_);
 }
 
 void HandOver::plan_returned() {
@@ -142,6 +161,7 @@ void HandOver::take(const Engage& input) {
   if (!input.resume && !was_engaged) {
     for (const GoalId id : book_.order) hand_over_goal(id);
   }
+  await_loose(input.elsewhere);
   if (input.resume && !input.in_executive) await_return(input.cause);
   const std::vector<GoalId> goals = input.resume ? take_back() : std::vector<GoalId>();
   out_.decide({"0 user request", input.cause, list_of("goals", goals), "engaged", now()});

@@ -99,6 +99,7 @@ void Observer::see_loose(const executive::TaskEvent& event) {
       one.leads_away =
           event.id < functional::kFirstPlayedId && type.motion == functional::Motion::kMoves;
     }
+    one.elsewhere = one.elsewhere && event.state != TaskState::kScheduled;
     one.begun = one.begun || event.state != TaskState::kScheduled;
     one.ran = one.ran || event.state == TaskState::kRunning;
     return;
@@ -107,7 +108,7 @@ void Observer::see_loose(const executive::TaskEvent& event) {
   if (known->second.ours && !known->second.stopping)
     safe_mode_.pause_until(now() + retry_after(known->second, event.reason));
   led_away_ = led_away_ || (known->second.leads_away && known->second.begun);
-  book_.forgotten.set(event.id.value(), 1);
+  if (!known->second.elsewhere) book_.forgotten.set(event.id.value(), 1);
   book_.loose.erase(known);
   if (!led_away_ || book_.is_led_away()) return;
   led_away_ = false;

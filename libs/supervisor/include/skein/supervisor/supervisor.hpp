@@ -45,6 +45,9 @@ struct Engage {
   /// The tasks that the executive has and that are not over. Absent: all that it was given. Other
   /// tasks were taken over by somebody else and count as lost.
   std::optional<std::vector<executive::TaskId>> in_executive = std::nullopt;
+  /// Tasks under way that another executive has, and will give back unless it is not heard. Nothing
+  /// of the plan is given before they are here or over, but for a few seconds at most.
+  std::vector<executive::TaskId> elsewhere = {};
 };
 struct WorldChanged {
   mission::ChangeWorld change;
