@@ -120,6 +120,7 @@ class AnyDrawing {
       one.model = crafts_[i]->model;
       one.name = one.model + std::to_string(i + 1);
       one.folder = crafts_[i]->folder;
+      one.device = crafts_[i]->device;
       const std::string home = whole(x + 45 * static_cast<double>(i)) + ", " + whole(y);
       one.more = "start: [" + home + "]";
       mission_.places.push_back("H" + std::to_string(i + 1) + ": [" + home + ", 0]");
@@ -473,6 +474,7 @@ class AnyDrawing {
 Mission generate_anything(std::uint64_t seed, const Kinds& kinds) {
   Mission mission = AnyDrawing(seed, kinds).draw();
   if (kinds.minds) change_minds(mission);
+  if (kinds.busy) keep_an_operator_busy(mission);
   return mission;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/mission_lab/mission.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -85,7 +86,8 @@ void radio(std::ostream& out, const Mission& m) {
 }
 
 void step(std::ostream& out, const Step& s) {
-  out << "    - step: " << s.name << "\n      when: " << s.when << '\n';
+  out << (s.by_operator ? "    - does: " : "    - step: ") << s.name << "\n      when: " << s.when
+      << '\n';
   if (s.after > 0) out << "      after: " << s.after << '\n';
   if (s.repeats) out << "      repeats: true\n";
   if (s.tasks.empty()) {
@@ -105,6 +107,14 @@ void step(std::ostream& out, const Step& s) {
     out << "              - {id: " << task.id << ", task: " << task.words
         << (task.times.empty() ? "" : ", " + task.times) << "}\n";
   }
+}
+
+// Of the script, or those of its operators with their heading.
+void steps(std::ostream& out, const Mission& m, bool by_operator) {
+  const auto is_one = [&](const Step& one) { return one.by_operator == by_operator; };
+  if (by_operator && std::ranges::any_of(m.steps, is_one)) out << "  operator:\n";
+  for (const Step& one : m.steps)
+    if (is_one(one)) step(out, one);
 }
 
 // Once every goal has come to an end, one way or another, and the team has done all of it.
@@ -158,9 +168,10 @@ std::string to_yaml(const Mission& m, const std::string& scenarios) {
   out << "\nground:\n  position: [-20, -20, 8]\n";
   list(out, "objects", m.followed, "  ", "");
   out << "  script:\n";
-  for (const Step& one : m.steps) step(out, one);
+  steps(out, m, false);
   global_mission(out, m);
   finish(out, m);
+  steps(out, m, true);
   if (!m.faults.empty()) out << '\n';
   list(out, "faults", m.faults, "", "- ");
   return out.str();

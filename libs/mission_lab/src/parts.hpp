@@ -78,6 +78,12 @@ void add_deaths(Mission& mission, double latest);
 /// by a separate sequence, so that the rest of the mission is unchanged.
 void change_minds(Mission& mission);
 
+/// An operator flies UAVs by hand in the middle of their tasks and gives them back, stops them
+/// until a word comes, aborts all, gives elementary tasks to those who plan for themselves, and
+/// closes and opens air; as a step of the script or as a scripted operator. Drawn like
+/// change_minds().
+void keep_an_operator_busy(Mission& mission);
+
 /// Draws a device of the UAV.
 using DrawDevice = std::function<std::string(Random&)>;
 /// A fault of the vehicle in [10, latest] s: slow flight, an aborted task, a broken device, or a

@@ -37,7 +37,7 @@ struct Options {
   bool clean = false, deaths = false, team = false, crossing = false, merged = false,
        unmerged = false, sweeps = false, meetings = false, orders = false, gatherings = false,
        robots = false, relays = false, partners = false, fires = false, hands = false,
-       mixed = false, anything = false, minds = false, sweepers = false, json = false,
+       mixed = false, anything = false, minds = false, busy = false, sweepers = false, json = false,
        minimise = false, rough = false, verbose = false;
   std::size_t examples = 3;
   std::int64_t capacity = 0;
@@ -54,6 +54,7 @@ Kinds kinds_of(const Options& options) {
   kinds.orders = options.orders;
   kinds.sweeps = options.sweeps;
   kinds.minds = options.minds;
+  kinds.busy = options.busy;
   for (const std::string& name : options.without) {
     if (name == "faults") kinds.faults = false;
     if (name == "air") kinds.air = false;
@@ -234,6 +235,10 @@ void declare_kinds(CLI::App& app, Options& options) {
          "--minds", options.minds,
          "with --anything: people change theirs: missions are cancelled and given again, UAVs "
          "taken in hand in every order, places moved")
+      ->needs(anything);
+  app.add_flag("--busy", options.busy,
+               "with --anything: an operator flies UAVs by hand in the middle of their tasks, "
+               "stops them to think, aborts all, closes and opens air")
       ->needs(anything);
   const std::vector<CLI::Option*> all{team,  crossing, sweepers, meetings, robots,  relays,
                                       apart, fires,    hands,    mixed,    anything};

@@ -291,6 +291,31 @@ TEST(Generate, PeopleChangeTheirMindsBesideEverythingElse) {
   EXPECT_GT(taken, 5);
 }
 
+TEST(Generate, AnOperatorIsBusyBesideEverythingElse) {
+  Kinds kinds;
+  kinds.busy = true;
+  int by_hand = 0, thinks = 0, opens = 0, people = 0, unheard = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    const Mission mission = generate_anything(seed, kinds), before = generate_anything(seed, {});
+    const std::string text = to_yaml(mission, "..");
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(to_yaml(generate_anything(seed, kinds), ".."), text);
+    for (std::size_t i = 0; i < before.steps.size(); ++i)
+      EXPECT_EQ(mission.steps.at(i).when, before.steps[i].when) << "seed " << seed;
+    const auto has = [&](const char* what) { return text.find(what) != std::string::npos ? 1 : 0; };
+    by_hand += has("{id: 500, type: ");
+    thinks += has("exit: [[{message: on-");
+    opens += has("open_air: {name: tfr-");
+    people += has("  operator:\n    - does: busy-");
+    unheard += mission.cuts.size() > before.cuts.size() ? 1 : 0;
+  }
+  EXPECT_GT(by_hand, 15);
+  EXPECT_GT(thinks, 5);
+  EXPECT_GT(opens, 10);
+  EXPECT_GT(people, 20);
+  EXPECT_GT(unheard, 5);
+}
+
 TEST(Generate, FiresAreFollowedAndSomeAreWatchedJointly) {
   int joint = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {

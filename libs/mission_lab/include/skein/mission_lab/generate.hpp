@@ -30,6 +30,7 @@ struct Kinds {
   bool orders = false;      ///< they fly at one height, and merge their ways
   bool sweeps = false;      ///< of UAVs whose ways cross some map or search what lies in the middle
   bool minds = false;       ///< of anything: people change theirs, in every order
+  bool busy = false;        ///< of anything: an operator flies by hand in the middle of tasks
 };
 /// Missions without faults, in which all requests are possible.
 inline constexpr Kinds kClean{false, false, false, false, false, false,

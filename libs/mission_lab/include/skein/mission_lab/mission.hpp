@@ -25,8 +25,9 @@ struct Step {
   std::string placement;  ///< "first, interrupt: true"; empty: the default
   bool evaluate = false;  ///< the mission is only evaluated, not executed
   std::vector<Task> tasks;
-  std::string action;    ///< if there are no tasks: "cancel: {…}"
-  bool repeats = false;  ///< it is armed again after it was done
+  std::string action;        ///< if there are no tasks: "cancel: {…}"
+  bool repeats = false;      ///< it is armed again after it was done
+  bool by_operator = false;  ///< a scripted operator does it: an action
 };
 
 struct Member {
@@ -36,6 +37,7 @@ struct Member {
   int first_id = 100;
   std::string folder = "comets";  ///< of scenarios/, in which its model is
   int degree = 0;                 ///< 0: 5 in a mission with a global one, 4 in others
+  std::string device = {};        ///< of its model, by which operators look; empty: none is known
 };
 
 struct Mission {
