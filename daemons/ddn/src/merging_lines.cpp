@@ -28,8 +28,8 @@ journal::Record line_of(const translation::Writer& writer, const decision_node::
                            .type = noted.type,
                            .state = noted.state,
                            .waited = noted.waited.to_seconds(),
-                           .for_ = joined(noted.waits_for, "; "),
-                           .air = flat(noted.air)};
+                           .for_ = joined(noted.waits_for, "; ")};
+  (noted.state == "waits" ? line.wants : line.air) = flat(noted.air);
   if (noted.raised > 0) line.raised = noted.raised;
   return writer.record(std::move(line));
 }

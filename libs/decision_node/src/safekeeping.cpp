@@ -19,7 +19,8 @@ constexpr Duration kFirstPause = Duration::milliseconds(10'000);
 constexpr Duration kLongestPause = Duration::milliseconds(60'000);
 constexpr Duration kEnergyAgain = Duration::milliseconds(5'000);
 constexpr Duration kOutAgain = Duration::milliseconds(30'000);
-constexpr double kAtHome = 1;  // [m]
+constexpr Duration kIdles = Duration::milliseconds(60'000);  ///< until an operator is told
+constexpr double kAtHome = 1;                                // [m]
 
 }  // namespace
 
@@ -195,6 +196,7 @@ void Safekeeping::look_after(const world::Telemetry& telemetry) {
   if (!holds_) leaves_to_.reset();
   if (owed_ && core_.execution().airborne() && is_idle()) carry_out_policy();
   warned_ = warned_ && may_be_on_its_way();
+  warn_of_idling();
   if (!may_be_on_its_way() || !knows_world()) return;
   look_ahead(telemetry.state.position);
   if (core_.config().drives) {
@@ -236,6 +238,21 @@ void Safekeeping::warn_of_energy(const world::Telemetry& telemetry) {
   core_.bus().emit(PolicyCarriedOut{
       ContactPolicy::kReturn, "left in the air without a task, and its deliberation was stopped"});
   keep(ContactPolicy::kReturn);
+}
+
+// Likewise: what was asked of it may have been refused, or be given up, and others may want its
+// air.
+void Safekeeping::warn_of_idling() {
+  const bool idles = core_.execution().airborne() && !core_.config().drives &&
+                     !mission::deliberates(core_.degree()) && is_idle();
+  const MissionTime now = core_.bus().now();
+  if (!idles) return says_it_idles_.reset();
+  if (!says_it_idles_) says_it_idles_ = now + kIdles;
+  if (now < *says_it_idles_) return;
+  says_it_idles_ = MissionTime::max();  // once
+  core_.bus().emit(Notice{"in the air with nothing under way for " + to_text(kIdles) +
+                          " s, at degree " + std::to_string(core_.degree()) +
+                          ": who has it in hand decides"});
 }
 
 // Whoever has it in hand decides where it goes. One that wavers on the border says so once.

@@ -50,6 +50,7 @@ class Safekeeping {
   void leave_closed_air(const world::Vector3& at);
   void warn_of_closed_air(const world::Vector3& at);
   void warn_of_energy(const world::Telemetry& telemetry);
+  void warn_of_idling();
   bool must_return(const world::Telemetry& telemetry) const;
   bool may_be_on_its_way() const;
   bool has_nothing_to_do() const;
@@ -74,6 +75,8 @@ class Safekeeping {
   bool owed_ = false;
   /// The warning that the energy is short was given in this flight; ever, where it drives.
   bool warned_ = false;
+  /// When it says that it is in the air with nothing under way; nothing: there is something.
+  std::optional<MissionTime> says_it_idles_;
   std::map<std::string, MissionTime> closed_around_;  ///< volumes, and until when it was in each
   MissionTime looked_at_energy_;
   bool holds_ = false;  ///< holds by itself, until it has to come home for its energy

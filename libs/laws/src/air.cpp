@@ -10,6 +10,7 @@
 #include "skein/journal/hand_on.hpp"
 #include "skein/journal/lines/deliberation.hpp"
 #include "skein/laws/air_history.hpp"
+#include "skein/world/segment.hpp"
 
 namespace skein::laws {
 
@@ -86,19 +87,32 @@ double longest_of_two(const scenario::RadioSpec& radio) {
 
 }  // namespace
 
+namespace {
+
+std::vector<WantedPiece> pieces_of(const std::vector<double>& wants) {
+  constexpr std::size_t kNumbers = 7;
+  std::vector<WantedPiece> pieces;
+  for (std::size_t i = 0; i + kNumbers <= wants.size(); i += kNumbers)
+    pieces.push_back({{wants[i], wants[i + 1]}, {wants[i + 2], wants[i + 3]}, wants[i + 4]});
+  return pieces;
+}
+
+}  // namespace
+
 bool AirHistory::see(const journal::Record& record) {
   return journal::hand_on<journal::lines::Air>(record, *this);
 }
 
 void AirHistory::hear(const journal::lines::Air& line, const journal::Written& when) {
-  AirWait wait{when.at.to_seconds(), line.uav, {}};
+  AirWait wait{when.at.to_seconds(), line.uav, {}, {}, pieces_of(line.wants)};
   std::string_view rest = line.state == "waits" ? std::string_view(line.for_) : "";
   while (!rest.empty()) {
     const std::string one(rest.substr(0, rest.find(';')));
     rest.remove_prefix(std::min(rest.size(), one.size() + 2));
     const std::size_t space = one.find(' ');
-    if (space != std::string::npos && has_to_leave(one.substr(space + 1)))
-      wait.for_others.insert(one.substr(0, space));
+    if (space == std::string::npos || !has_to_leave(one.substr(space + 1))) continue;
+    wait.for_others.insert(one.substr(0, space));
+    if (one.substr(space + 1).starts_with("to leave")) wait.to_leave.insert(one.substr(0, space));
   }
   waits.push_back(std::move(wait));
   if (line.raised) raised.push_back({when.at.to_seconds(), line.uav});
@@ -131,6 +145,67 @@ std::vector<Violation> waits_for_each_other(const History& history) {
     });
   }
   for (const auto& [pair, from] : since) over(pair, from, history.end);
+  return result;
+}
+
+namespace {
+
+constexpr double kStays = 120;  // [s] for which it stays somewhere, and has no use of other air
+constexpr double kAround =
+    200;  // [m] around the place where it was then, which it flies circles in
+constexpr double kItsAir = 250;  // [m] farther than that nobody has air around where he stays
+constexpr double kLooked = 30;   // [s] between two looks
+
+/// Nobody has it fly anywhere during [from, until], and it stays where it was then.
+bool stays(const Uav& uav, double from, double until) {
+  const auto first = uav.at(from);
+  if (!first || !first->airborne || out_of_control(uav, until)) return false;
+  for (double at = from; at <= until; ++at) {
+    const auto sample = uav.at(at);
+    if (!sample || !sample->airborne) return false;
+    if ((sample->position - first->position).head<2>().norm() > kAround) return false;
+  }
+  return std::none_of(uav.activities.begin(), uav.activities.end(), [&](const Activity& one) {
+    return one.moves() && one.from < until && one.until > from;
+  });
+}
+
+bool is_far(const Uav& uav, double at, const std::vector<WantedPiece>& wants) {
+  const world::Vector2 place = uav.at(at)->position.head<2>();
+  return std::all_of(wants.begin(), wants.end(), [&](const WantedPiece& piece) {
+    return world::to_segment(place, piece.from, piece.to) > piece.radius + kAround + kItsAir;
+  });
+}
+
+/// Until when the UAV waits like this.
+double end_of(const History& history, const AirWait& wait) {
+  for (const AirWait& next : history.air.waits)
+    if (next.uav == wait.uav && next.at > wait.at) return next.at;
+  return history.end;
+}
+
+}  // namespace
+
+std::vector<Violation> waits_for_unused_air(const History& history) {
+  std::vector<Violation> result;
+  for (const AirWait& wait : history.air.waits) {
+    if (wait.wants.empty()) continue;
+    const double end = end_of(history, wait);
+    for (const std::string& name : wait.to_leave) {
+      const auto other = history.uavs.find(name);
+      if (other == history.uavs.end()) continue;
+      for (double at = wait.at + kStays; at <= end; at += kLooked) {
+        const double from = at - kStays;
+        if (!all_are_heard(history, from, at) || !stays(other->second, from, at) ||
+            !is_far(other->second, from, wait.wants))
+          continue;
+        result.push_back({"", wait.at, wait.uav, 0,
+                          "it waits for " + name + " to leave air that this has not used for " +
+                              figure(at - from) + " s, far from there"});
+        break;
+      }
+    }
+  }
   return result;
 }
 

@@ -86,6 +86,7 @@ std::vector<Violation> statuses_unfit(const History& history);
 std::vector<Violation> times_not_kept(const History& history);
 std::vector<Violation> goals_without_end(const History& history);
 std::vector<Violation> idle_without_word(const History& history);
+std::vector<Violation> idling_untold(const History& history);
 // reasons.cpp
 std::vector<Violation> untrue_reasons(const History& history);
 std::vector<Violation> feasible_but_failed(const History& history);
@@ -117,6 +118,7 @@ bool climbs_everything(const History& history, const world::VehicleModel& vehicl
 bool rises_everywhere(const History& history, const world::VehicleModel& vehicle);
 // air.cpp
 std::vector<Violation> waits_for_each_other(const History& history);
+std::vector<Violation> waits_for_unused_air(const History& history);
 // separation.cpp
 std::vector<Violation> encounters(const History& history);
 std::vector<Violation> too_near_in_the_air(const History& history);

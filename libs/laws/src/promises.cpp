@@ -274,4 +274,41 @@ std::vector<Violation> idle_without_word(const History& history) {
   return result;
 }
 
+namespace {
+
+bool does_nothing_in_a_hand(const Uav& uav, const Sample& sample) {
+  return sample.airborne && uav.degree(sample.at) < 4 && !out_of_control(uav, sample.at) &&
+         std::none_of(uav.executions.begin(), uav.executions.end(),
+                      [&](const auto& one) { return one.second.under_way(sample.at); });
+}
+
+}  // namespace
+
+// Nobody else tells its operator that what he asked for was refused or given up.
+std::vector<Violation> idling_untold(const History& history) {
+  constexpr double kLong = 75;  // [s]
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    if (history.was_killed(name)) continue;
+    std::optional<double> since;
+    for (const Sample& sample : uav.samples) {
+      if (!does_nothing_in_a_hand(uav, sample)) {
+        since.reset();
+        continue;
+      }
+      if (!since) since = sample.at;
+      if (sample.at - *since < kLong || sample.at - *since >= kLong + 1) continue;
+      const bool told = std::any_of(uav.words.begin(), uav.words.end(), [&](const Word& word) {
+        return word.at >= *since && word.at <= sample.at &&
+               word.text.starts_with("in the air with nothing under way");
+      });
+      if (!told)
+        result.push_back({"", *since, name, 0,
+                          "in the air at degree " + std::to_string(uav.degree(sample.at)) +
+                              " with nothing under way for " + figure(kLong) + " s, and unsaid"});
+    }
+  }
+  return result;
+}
+
 }  // namespace skein::laws

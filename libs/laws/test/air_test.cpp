@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/journal/lines/deliberation.hpp"
 #include "testing/story.hpp"
 
 namespace skein::laws::testing {
@@ -108,6 +109,43 @@ TEST(MutualLaw, OneThatStandsUntilTheEndOfTheLogCounts) {
   story.air("heliv", 61, "waits", "marvin to leave");
 
   EXPECT_THAT(story.broken("mutual"), SizeIs(2));
+}
+
+/// Heliv is in the air at the origin; Marvin waits from 20 s on for it to leave a way of 400 m that
+/// begins so far east of there.
+Story keeps_from(double east, double until = 300) {
+  Story story;
+  story.flies("heliv", 0, until, {0, 0, 40}, {0, 0, 40}).stands("marvin", 0, until);
+  return story.line(journal::record_of(
+      MissionTime::seconds(20), "marvin",
+      journal::lines::Air{.uav = "marvin",
+                          .task = 7,
+                          .type = "goto",
+                          .state = "waits",
+                          .for_ = "heliv to leave",
+                          .wants = std::vector<double>{east, 0, east + 400, 0, 50, 30, 50}}));
+}
+
+TEST(UnusedAirLaw, WhoStaysFarFromTheAirThatAnotherWaitsForBreaksIt) {
+  EXPECT_THAT(keeps_from(800).broken("unused-air"),
+              ElementsAre(HasSubstr("it waits for heliv to leave air that this has not used for "
+                                    "120.0 s, far from there")));
+  EXPECT_THAT(keeps_from(400).broken("unused-air"), IsEmpty()) << "it is near";
+  EXPECT_THAT(keeps_from(800, 130).broken("unused-air"), IsEmpty()) << "it has not waited long";
+}
+
+TEST(UnusedAirLaw, WhoIsOnItsWayMayHaveAllOfIt) {
+  Story story = keeps_from(800);
+  story.does("heliv", {3, "goto", 0, 10, 290});
+
+  EXPECT_THAT(story.broken("unused-air"), IsEmpty());
+}
+
+TEST(UnusedAirLaw, WhomItDoesNotHearNobodyBlames) {
+  Story story = keeps_from(800);
+  story.link(0, "marvin", "heliv", true).link(40, "marvin", "heliv", false);
+
+  EXPECT_THAT(story.broken("unused-air"), IsEmpty());
 }
 
 }  // namespace

@@ -219,5 +219,34 @@ TEST(OneMotionLaw, WhatTheVehicleRefusesForWhatItDoesIsToldWithItsReason) {
   EXPECT_THAT(other.broken("one-motion"), IsEmpty());
 }
 
+// ---- idle-told ----
+
+/// At degree 3 in the air, from 10 s on with nothing under way.
+Story hangs_in_the_air() {
+  Story story;
+  story.flies("marvin", 0, 200, {0, 0, 40}, {0, 0, 40}).degree("marvin", 0, 3);
+  story.does("marvin", {3, "goto", 0, 0, 10});
+  return story;
+}
+
+TEST(IdleTold, WhoHangsInTheAirInAnOperatorsHandSaysSo) {
+  EXPECT_THAT(hangs_in_the_air().broken("idle-told"),
+              ElementsAre(HasSubstr("in the air at degree 3 with nothing under way for 75.0 s")));
+  Story told = hangs_in_the_air();
+  told.says("marvin", 71, "in the air with nothing under way for 60.0 s, at degree 3: …");
+  EXPECT_THAT(told.broken("idle-told"), IsEmpty());
+}
+
+TEST(IdleTold, ATaskThatIsUnderWayIsEnough) {
+  Story story = hangs_in_the_air();
+  story.does("marvin", {4, "wait", 0, 60, 150});
+
+  EXPECT_THAT(story.broken("idle-told"), IsEmpty());
+}
+
+TEST(IdleTold, AtDegreeFourOtherLawsAskForMore) {
+  EXPECT_THAT(hangs_in_the_air().degree("marvin", 20, 4).broken("idle-told"), IsEmpty());
+}
+
 }  // namespace
 }  // namespace skein::laws::testing

@@ -51,6 +51,7 @@ Margins margins_of(const world::VehicleModel& model, const world::Wind& wind, do
   const double reached = world::reaching_distance(model, wind);
   Margins margins;
   margins.hovers = model.hovers;
+  margins.apart = share.level;
   margins.stretch = margins.steered = kStretch;
   margins.level = wavers_up + share.height;
   margins.slope = reached + wavers_up + share.height;

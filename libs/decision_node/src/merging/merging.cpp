@@ -269,7 +269,7 @@ bool Merging::told(const functional::Status& status) {
 
 void Merging::vehicle_told(const world::Telemetry& telemetry) {
   if (!merger_) return;
-  if (vehicle_.see(telemetry.state)) hold();
+  if (vehicle_.see(telemetry.state, core_.bus().now())) hold();
   ask_ahead();
   if (vehicle_.come_to_rest()) hold();
   look_for_room();

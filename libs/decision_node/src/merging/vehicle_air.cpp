@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "skein/world/segment.hpp"
+
 namespace skein::decision_node {
 
 namespace {
@@ -43,20 +45,58 @@ const world::VehicleState& VehicleAir::state() const {
   return seen_ ? *seen_ : kUnseen;
 }
 
-bool VehicleAir::see(const world::VehicleState& state) {
+void Flown::stays_on(const Circle& circle, const merging::Margins& margins) {
+  const double around = circle.radius + margins.apart;
+  const auto off = [&](const merging::Volume& piece) {
+    return world::to_segment(circle.center, piece.from, piece.to);
+  };
+  const merging::Volume* nearest = nullptr;
+  merging::Volumes all = air();
+  for (const merging::Volume& piece : all) {
+    const bool has_it = off(piece) + around <= piece.radius && piece.floor <= circle.lowest &&
+                        circle.highest <= piece.ceiling;
+    if (has_it && (nearest == nullptr || off(piece) < off(*nearest))) nearest = &piece;
+  }
+  if (nearest != nullptr) {
+    airway.air = {{circle.center, circle.center,
+                   std::min(margins.hold, nearest->radius - off(*nearest)),
+                   std::max(nearest->floor, circle.lowest - margins.level),
+                   std::min(nearest->ceiling, circle.highest + margins.level)}};
+  } else {
+    std::erase_if(all, [&](const auto& piece) { return off(piece) > piece.radius + around; });
+    airway.air = std::move(all);
+  }
+  airway.way.reset();
+  behind.clear();
+}
+
+bool VehicleAir::see(const world::VehicleState& state, MissionTime now) {
   if (!seen_ && state.airborne) rest_ = state.position;
   seen_ = state;
-  return state.airborne && flies() && flown_->passed(state.position);
+  if (!state.airborne) return false;
+  return flies() ? flown_->passed(state.position) : settles(now);
+}
+
+bool VehicleAir::settles(MissionTime now) {
+  if (!circling_) return false;
+  circling_->see(state(), now);
+  const auto circle = circling_->seen();
+  if (!circle) return false;
+  circling_.reset();
+  flown_->stays_on(*circle, margins_);
+  return true;
 }
 
 void VehicleAir::begin(Flown flown) {
   flown_ = std::move(flown);
   rest_.reset();
+  circling_.reset();
 }
 
 bool VehicleAir::over(bool ended) {
   flown_->over = true;
   flown_->ended = ended;
+  if (!ended && !margins_.hovers && flown_->airway.way) circling_.emplace(margins_.settled);
   return !ended && state().airborne && flown_->stopped_at(state().position.z(), margins_.slope);
 }
 
@@ -65,6 +105,7 @@ bool VehicleAir::come_to_rest() {
   if (!airborne && !flies()) {
     flown_.reset();
     rest_.reset();
+    circling_.reset();
     return true;
   }
   if (!flown_ || flies() || !airborne) return true;
@@ -75,6 +116,7 @@ bool VehicleAir::come_to_rest() {
   if (!there && !still && !circles) return false;
   rest_ = there || circles ? *end : state().position;
   flown_.reset();
+  circling_.reset();
   return true;
 }
 

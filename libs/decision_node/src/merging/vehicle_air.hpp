@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "merging/airways.hpp"
+#include "merging/circling.hpp"
 #include "skein/functional/port.hpp"
 #include "skein/merging/margins.hpp"
 
@@ -24,6 +25,9 @@ struct Flown {
   bool stopped_at(double height, double within);
   /// Notes the vehicle's position; true: it has left more of its way.
   bool passed(const world::Vector3& position);
+  /// It circles, its way given up: it keeps what the piece that is nearest, of those that are all
+  /// of the circle's air, has around the circle; where there is none, all that have a part of this.
+  void stays_on(const Circle& circle, const merging::Margins& margins);
   bool flies(functional::TaskId task) const { return !over && airway.request.id == task; }
 };
 
@@ -34,13 +38,13 @@ class VehicleAir {
   explicit VehicleAir(const merging::Margins& cruising) : margins_(cruising) {}
 
   /// True: it has left more of its way.
-  bool see(const world::VehicleState& state);
+  bool see(const world::VehicleState& state, MissionTime now);
   void begin(Flown flown);
   /// The flight is over; `ended`: as it was meant to. True: it has left some of its air.
   bool over(bool ended);
   /// Ends a flight that is over once the vehicle holds where it was to end, or stands still after
-  /// it was stopped. A vehicle that circles keeps all of its way when it is stopped: nobody knows
-  /// where it circles. False: it has not come to rest.
+  /// it was stopped. False: it has not come to rest. A vehicle that circles keeps all of its way
+  /// when it is stopped, until it is seen where it circles: then what of it is around there.
   bool come_to_rest();
 
   bool is_seen() const { return seen_.has_value(); }
@@ -61,10 +65,13 @@ class VehicleAir {
   std::optional<world::Vector3> rests_next() const { return flies() ? flown_->airway.end : rest_; }
 
  private:
+  bool settles(MissionTime now);
+
   merging::Margins margins_;
   std::optional<world::VehicleState> seen_;
   std::optional<world::Vector3> rest_;
   std::optional<Flown> flown_;
+  std::optional<Circling> circling_;  ///< from when it is stopped in flight until it circles
 };
 
 }  // namespace skein::decision_node

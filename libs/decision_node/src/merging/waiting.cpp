@@ -50,6 +50,7 @@ void Waiting::note(Bus& bus, const std::string& state, const Airway* airway) con
   noted_now.waited = bus.now() - since;
   if (airway == nullptr) {
     noted_now.waits_for = waits_for;
+    if (!in_its_way.empty() && looks_around_from()) noted_now.air = airways.front().air;
   } else {
     noted_now.raised = airway->raised;
     noted_now.air = airway->air;

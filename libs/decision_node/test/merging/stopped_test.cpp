@@ -15,6 +15,14 @@ using testing::goto_of;
 using testing::last_had;
 using testing::MergedTeam;
 using testing::takeoff_of;
+using testing::Vector3;
+
+/// Of the motions of a UAV, as they were journaled.
+std::string air_states(MergedTeam& team, const std::string& uav) {
+  std::string states;
+  for (const AirNoted& note : team.notes(uav)) states += note.state + " ";
+  return states;
+}
 
 // Found by missions of an outsider (352): the column down to the ground was its air still, and what
 // is in the air of two already keeps neither from leaving.
@@ -45,6 +53,39 @@ TEST(Merging, WhoCirclesSinceItWasStoppedMakesRoomForATakeoff) {
   team.command("heliv", takeoff_of(7, 40));
   team.run(90);
   EXPECT_TRUE(team.is_over("heliv", 7));
+}
+
+/// A blimp that was stopped after 100 m of a way of 800 m, and a helicopter that is to cross it.
+MergedTeam stopped_on_its_way(const Vector3& heliv) {
+  MergedTeam team({{"blimp", {0, 0, 40}}, {"heliv", heliv}});
+  team.circle("blimp");
+  team.command("blimp", goto_of(7, {800, 0, 40}));
+  team.run(10);
+  team.command("blimp", executive::Abort{executive::TaskId(7)});
+  team.run(1);
+  return team;
+}
+
+// Found by random missions (--anything --clean 990014): an operator's plan had stopped it, and its
+// whole way was kept from two others for 2,000 s.
+TEST(Merging, WhoCirclesSinceItWasStoppedHasTheAirThereOnly) {
+  MergedTeam team = stopped_on_its_way({600, -200, 40});
+  ASSERT_TRUE(team.is_over("blimp", 7));
+  give_sweep(team, "heliv", goto_of(8, {600, 200, 40}));
+  team.run(2);
+  EXPECT_EQ(air_states(team, "heliv"), "waits ") << "nobody knows yet where it circles";
+
+  team.run(20);
+
+  EXPECT_EQ(air_states(team, "heliv"), "waits had ");
+}
+
+TEST(Merging, WhoCirclesSinceItWasStoppedKeepsTheAirAroundItsCircle) {
+  MergedTeam team = stopped_on_its_way({100, -200, 40});
+  give_sweep(team, "heliv", goto_of(8, {100, 200, 40}));
+  team.run(60);
+
+  EXPECT_EQ(air_states(team, "heliv"), "waits ");
 }
 
 // Found by random missions (--merged 944017): a functional layer that aborted each flight was given

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -149,6 +150,8 @@ class MergedTeam {
   /// It aborts whatever it is given from now on, or does not any more.
   void refuse(const std::string& uav, bool refuses) { uavs_[uav].refuses = refuses; }
   int given(const std::string& uav) { return uavs_[uav].given; }
+  /// Whenever it has nothing to fly it flies circles of 15 m at 10 m/s from now on.
+  void circle(const std::string& uav) { uavs_[uav].circles = true; }
   /// So much of its energy is left from now on.
   void drain(const std::string& uav, double left) { uavs_[uav].state.energy = left; }
   /// Who asked to be woken at one instant again and again.
@@ -204,8 +207,9 @@ class MergedTeam {
     std::vector<functional::Status> passed;
     double highest = 0;
     bool stopped = false;  ///< in what it flies
-    bool is_put_down = false, refuses = false;
-    int given = 0;  ///< requests
+    bool is_put_down = false, refuses = false, circles = false;
+    double turned = 0;  ///< on its circles [rad]
+    int given = 0;      ///< requests
     std::vector<StartWaySearch> searches;
     int flown = 0;  ///< [0.1 s]
   };
@@ -293,6 +297,10 @@ class MergedTeam {
       at = to.norm() <= 1 ? uav.way.front() : Vector3(at + to.normalized());
       if (to.norm() <= 1) uav.way.erase(uav.way.begin());
     }
+    if (uav.way.empty() && uav.circles && at.z() > 0) {
+      uav.turned += 1 / kCircle;
+      at += Vector3(std::cos(uav.turned), std::sin(uav.turned), 0);
+    }
     uav.state.velocity = 10 * (at - before);
     uav.state.airborne = at.z() > 0.1;
     uav.highest = std::max(uav.highest, at.z());
@@ -307,6 +315,7 @@ class MergedTeam {
   }
 
   static constexpr const char* kGround = "ground";
+  static constexpr double kCircle = 15;  // [m]
   std::vector<std::string> names_;
   merging::Witness witness_{{}};
   std::set<std::string> restless_;

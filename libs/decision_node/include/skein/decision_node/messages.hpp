@@ -302,7 +302,7 @@ struct AirNoted {
   std::vector<std::string> waits_for;  ///< "heliv to leave"
   double raised = 0;                   ///< how much higher it is flown than was asked for [m]
   Duration waited;
-  merging::Volumes air;  ///< reserved for the motion
+  merging::Volumes air;  ///< reserved for the motion; of "waits": what others are to leave
 };
 
 /// What this UAV did with a task that it owns: "begun", "done", "put-back", "kept".

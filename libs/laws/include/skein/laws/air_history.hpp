@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "skein/journal/record.hpp"
+#include "skein/world/geometry.hpp"
 
 namespace skein::journal {
 struct Written;
@@ -17,12 +18,20 @@ struct Air;
 
 namespace skein::laws {
 
+/// A piece of wanted air, seen from above: what is within `radius` [m] of a line.
+struct WantedPiece {
+  world::Vector2 from = world::Vector2::Zero(), to = world::Vector2::Zero();
+  double radius = 0;
+};
+
 /// From `at` on [s], the UAV waits until `for_others` leave the air that it wants. Empty: it waits
 /// for nobody, since it has the air, gave its motion up, or waits for answers.
 struct AirWait {
   double at = 0;
   std::string uav;
   std::set<std::string> for_others;
+  std::set<std::string> to_leave;       ///< of these, who has the air
+  std::vector<WantedPiece> wants = {};  ///< empty: it is not known
 };
 
 /// At that time [s] it begins a flight higher than it was asked for, over those in its way.

@@ -15,6 +15,7 @@ struct Margins {
   /// around the line on which it departs, so that a holding vehicle can always climb.
   double hold = 0;
   double way = 0;      ///< horizontal radius around a line that is flown, with stops on it
+  double apart = 0;    ///< of all these: half of the horizontal separation
   double settled = 0;  ///< within this distance [m] of its holding place `hold` is enough
   double level = 0;    ///< vertical, in level flight and while holding
   double slope = 0;    ///< vertical, while climbing or descending

@@ -146,7 +146,8 @@ struct Answer {
   }
 };
 
-/// A motion that needs air; `air`: x, y, x, y, radius, floor, ceiling [m] of each volume.
+/// A motion that needs air: what it got (`air`), or what it wants while others are to leave it
+/// (`wants`); x, y, x, y, radius, floor, ceiling [m] of each volume.
 struct Air {
   static constexpr std::string_view kKind = "air";
   Text uav = {};
@@ -157,6 +158,7 @@ struct Air {
   OptionalText for_ = {};
   std::optional<double> raised = {};
   OptionalNumbers air = {};
+  OptionalNumbers wants = {};
 
   static void fields(auto& it, auto&& each) {
     each("uav", it.uav);
@@ -167,6 +169,7 @@ struct Air {
     each("for", it.for_);
     each("raised", it.raised);
     each("air", it.air);
+    each("wants", it.wants);
   }
 };
 
