@@ -7,6 +7,7 @@
 #include "by_hand.hpp"
 #include "checks.hpp"
 #include "scripted.hpp"
+#include "skein/functional/task_types.hpp"
 
 namespace skein::laws {
 
@@ -276,10 +277,15 @@ std::vector<Violation> idle_without_word(const History& history) {
 
 namespace {
 
+// At degree 1 the ground's executive keeps to itself what the vehicle has no part in.
 bool does_nothing_in_a_hand(const Uav& uav, const Sample& sample) {
-  return sample.airborne && uav.degree(sample.at) < 4 && !out_of_control(uav, sample.at) &&
-         std::none_of(uav.executions.begin(), uav.executions.end(),
-                      [&](const auto& one) { return one.second.under_way(sample.at); });
+  const int degree = uav.degree(sample.at);
+  const auto& types = functional::TaskTypes::shipped();
+  return sample.airborne && degree < 4 && !out_of_control(uav, sample.at) &&
+         std::none_of(uav.executions.begin(), uav.executions.end(), [&](const auto& one) {
+           const bool is_unknown = degree == 1 && types.of(one.second.type).synchronises();
+           return one.second.under_way(sample.at) && !is_unknown;
+         });
 }
 
 }  // namespace

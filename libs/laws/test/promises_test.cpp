@@ -244,6 +244,15 @@ TEST(IdleTold, ATaskThatIsUnderWayIsEnough) {
   EXPECT_THAT(story.broken("idle-told"), IsEmpty());
 }
 
+// Found by random missions (--hands 990035): at degree 1 a UAV does not know of it.
+TEST(IdleTold, ARendezvousThatTheGroundKeepsForItIsNoTaskOfItsOwn) {
+  Story story = hangs_in_the_air();
+  story.degree("marvin", 12, 1).does("marvin", {4, "rendezvous", 0, 60, 100});
+  story.says("marvin", 70, "in the air with nothing under way for 60.0 s, at degree 1: …");
+
+  EXPECT_THAT(story.broken("idle-told"), IsEmpty());
+}
+
 TEST(IdleTold, AtDegreeFourOtherLawsAskForMore) {
   EXPECT_THAT(hangs_in_the_air().degree("marvin", 20, 4).broken("idle-told"), IsEmpty());
 }

@@ -305,6 +305,18 @@ std::optional<Airway> airway_along(const functional::Request& request, const ref
   return clear ? std::optional(way) : std::nullopt;
 }
 
+functional::Request begun_at(const Vector3& place, const functional::Request& request,
+                             const MergingConfig& config, const AirwaySituation& situation) {
+  const auto flown = flight_of(request, config, situation);
+  if (!flown || flown->waypoints.empty()) return request;
+  const Margins margins = merging::margins_of(config.model, config.wind, flown->speed);
+  const Vector3 from = start_of(situation, margins);
+  if ((place - from).norm() <= margins.settled) return request;
+  std::vector<Vector3> points{from, place};
+  points.insert(points.end(), flown->waypoints.begin(), flown->waypoints.end());
+  return along(request, Way(points, margins));
+}
+
 functional::Request led_around(const functional::Request& request, const MergingConfig& config,
                                const AirwaySituation& situation,
                                const std::shared_ptr<const world::World>& world) {

@@ -84,6 +84,11 @@ std::optional<Airway> airway_along(const functional::Request& request, const ref
                                    const merging::Volumes& taken, const MergingConfig& config,
                                    const AirwaySituation& situation);
 
+/// The flight by way of `place`, where it was planned to begin; as it was if the vehicle is there,
+/// or if it is no flight.
+functional::Request begun_at(const world::Vector3& place, const functional::Request& request,
+                             const MergingConfig& config, const AirwaySituation& situation);
+
 /// The flight, for a vehicle that is elsewhere than where it was planned from: where the leg to its
 /// first way-point would lead through closed air, by way-points around that. As it was: the leg is
 /// free, it is no flight, or no way around is known. Cost: that of search_way().

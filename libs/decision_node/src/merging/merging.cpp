@@ -79,6 +79,12 @@ bool at_any_height(Core& core, const functional::Request& request, bool asked_lo
   });
 }
 
+/// What is looked at on the way is looked at from where the way begins, not from where the vehicle
+/// got out of the way meanwhile.
+bool is_to_begin_there(Core& core, const functional::Request& request) {
+  return mission::deliberates(core.degree()) && !at_any_height(core, request, true);
+}
+
 /// What it flew aside for is given up, and this needs it to stand still: once it is there.
 bool waits_for_flight(const functional::Request& request, const VehicleAir& vehicle) {
   return vehicle.flies() && OwnFlightIds::has(vehicle.flown()->airway.request.id) &&
@@ -191,8 +197,11 @@ void Merging::ask() {
   }
   cut();
   functional::Request flight = waiting_->request;
-  if (place_ && !(portions_ && portions_->running) && core_.deliberation().possible())
+  if (place_ && !(portions_ && portions_->running) && core_.deliberation().possible()) {
+    if (is_to_begin_there(core_, flight))
+      flight = begun_at(*place_, flight, *core_.config().merging, situation());
     flight = led_around(flight, *core_.config().merging, situation(), core_.deliberation().world());
+  }
   auto airways =
       airways_of(flight, may_be_raised(waiting_->asked_long), *core_.config().merging, situation());
   if (!airways) {  // perhaps the vehicle is not what it was thought to be: it is looked at again

@@ -78,5 +78,26 @@ TEST(WaysAside, DoNotLeadDownToTheGround) {
   EXPECT_THAT(heights_aside(30), IsEmpty());
 }
 
+// Found by random missions (--sweepers --clean 990009): the first lane of a mapping was flown from
+// where the vehicle had got out of the way, and 5 % of the zone were not seen.
+TEST(BegunAt, WhoGotOutOfTheWayComesToWhereItsWayBegins) {
+  MergingConfig config;
+  config.model = testing::quick_helicopter();
+  AirwaySituation situation;
+  situation.state.position = {30, 40, 40};
+  situation.state.airborne = true;
+  situation.rest = situation.state.position;
+  functional::Request request;
+  request.id = functional::TaskId(7);
+  request.type = "goto";
+  request.parameters.add(elementary::points_parameter("waypoints", {{40, 0, 40}}));
+  const auto flown = [&](const Vector3& place) {
+    return flight_of(begun_at(place, request, config, situation), config, situation)->waypoints;
+  };
+
+  EXPECT_THAT(flown({0, 0, 40}), ElementsAre(Vector3(0, 0, 40), Vector3(40, 0, 40)));
+  EXPECT_THAT(flown(*situation.rest), ElementsAre(Vector3(40, 0, 40)));
+}
+
 }  // namespace
 }  // namespace skein::decision_node

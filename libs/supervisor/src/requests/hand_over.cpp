@@ -156,7 +156,7 @@ void HandOver::plan_returned() {
 
 void HandOver::take(const Engage& input) {
   const bool was_engaged = std::exchange(engaged_, true);
-  safe_mode_.forget_told();
+  safe_mode_.begin();
   if (input.in_executive) forget_but({input.in_executive->begin(), input.in_executive->end()});
   if (!input.resume && !was_engaged) {
     for (const GoalId id : book_.order) hand_over_goal(id);

@@ -20,6 +20,11 @@ SafeMode::SafeMode(Duration horizon, const Beliefs& beliefs, const Agenda& agend
       out_(out),
       book_(book) {}
 
+void SafeMode::begin() {
+  forget_told();
+  in_the_way_.reset();
+}
+
 void SafeMode::tell(const std::string& what) {
   if (!told_) out_.notice("in the air without a task" + what + why_idle());
   told_ = true;

@@ -27,11 +27,12 @@ class SafeMode {
   std::optional<MissionTime> paused_until() const { return again_; }
   /// When to report a task of others that the plan waits for.
   std::optional<MissionTime> tells_at() const;
-  /// The report that the UAV has no task may be repeated.
-  void forget_told() { told_ = false; }
+  /// The UAV begins to decide for itself: what keeps it from its tasks is reported, also again.
+  void begin();
 
  private:
   MissionTime now() const { return out_.now(); }
+  void forget_told() { told_ = false; }
   void tell(const std::string& what);
   void tell_what_is_in_the_way();
   std::string why_idle() const;

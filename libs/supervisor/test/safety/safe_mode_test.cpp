@@ -104,6 +104,22 @@ TEST(SafeMode, SaysThatItsPlanWaitsForWhatAnOperatorLeftBehind) {
   EXPECT_THAT(rooms.said(), IsEmpty());
 }
 
+// Found by random missions (--hands 990015): it had said so before the operator took it in hand.
+TEST(SafeMode, WhoIsGivenBackSaysAgainWhatItsPlanWaitsFor) {
+  Idle rooms;
+  rooms.goals({702}).plan({TaskOf(200, "goto", 702)}).gave({200});
+  rooms.book.loose[TaskId(7)] = {.type = "goto", .holds_vehicle = true};
+  rooms.said();
+  rooms.at(20);
+  rooms.said();
+  rooms.safe_mode.begin();
+  rooms.at(30);
+  rooms.said();
+  rooms.at(36);
+
+  EXPECT_THAT(rooms.said(), ElementsAre(HasSubstr("goal 702 (go 1) waits for task 7 (goto)")));
+}
+
 TEST(SafeMode, SaysNothingOfWhatAnOperatorPutBehindThePlan) {
   Idle rooms;
   rooms.goals({702}).plan({TaskOf(200, "goto", 702)}).gave({200});
