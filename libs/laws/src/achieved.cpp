@@ -237,17 +237,21 @@ std::vector<Violation> done_twice(const History& history) {
     if (history.was_killed(layer.empty() ? "sim" : layer)) return;
     // A pattern is flown to its end, however slowly.
     if (goal.task.name == "perform-detection" && uav.had_fault("slow", at)) return;
-    double seconds = 0;
+    double seconds = 0, waited = 0;
     int pieces = 0;
     for (const Activity* look : uav.activities_of(goal.id)) {
       if (!look->looks() || look->until <= look->from) continue;
-      seconds += std::min(look->until, at) - look->from;
+      const double until = std::min(look->until, at);
+      seconds += until - look->from;
+      waited += seconds_waited_for_air(history, uav.name(), look->from, until);
       ++pieces;
     }
-    if (pieces < 2 || seconds <= kPart * *asked + pieces * kOfAPiece) return;
+    // Between two portions of a pattern the device stays on.
+    const double most = kPart * *asked + pieces * kOfAPiece + waited;
+    if (pieces < 2 || seconds <= most) return;
     // The device is on while a patrol comes to its zone; nothing is done again there.
     seconds = seconds_detected(history, uav, goal).value_or(seconds);
-    if (seconds <= kPart * *asked + pieces * kOfAPiece) return;
+    if (seconds <= most) return;
     result.push_back({"", at, uav.name(), goal.id,
                       mission::to_text(goal.task) + " is achieved: it looked for " +
                           figure(seconds) + " of " + figure(*asked) + " s in " +

@@ -186,6 +186,16 @@ double end_of(const History& history, const AirWait& wait) {
 
 }  // namespace
 
+double seconds_waited_for_air(const History& history, const std::string& uav, double from,
+                              double until) {
+  double seconds = 0;
+  for (const AirWait& wait : history.air.waits) {
+    if (wait.uav != uav || wait.for_others.empty()) continue;
+    seconds += std::max(0.0, std::min(until, end_of(history, wait)) - std::max(from, wait.at));
+  }
+  return seconds;
+}
+
 std::vector<Violation> waits_for_unused_air(const History& history) {
   std::vector<Violation> result;
   for (const AirWait& wait : history.air.waits) {

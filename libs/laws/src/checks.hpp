@@ -117,6 +117,9 @@ bool climbs_everything(const History& history, const world::VehicleModel& vehicl
 /// Whether no ground is steeper than the vehicle climbs in flight.
 bool rises_everywhere(const History& history, const world::VehicleModel& vehicle);
 // air.cpp
+/// For how much of [from, until] the UAV waited for others to leave its air [s].
+double seconds_waited_for_air(const History& history, const std::string& uav, double from,
+                              double until);
 std::vector<Violation> waits_for_each_other(const History& history);
 std::vector<Violation> waits_for_unused_air(const History& history);
 // separation.cpp

@@ -149,6 +149,18 @@ bool equipped(const Uav& uav, const Goal& goal) {
   return !model.sensors.empty();
 }
 
+// No place that it is to come to is higher over the ground than it flies.
+bool flies_so_high(const History& history, const Uav& uav, const Goal& goal) {
+  const auto& arguments = goal.task.arguments;
+  return uav.spec->model.ground ||
+         std::none_of(arguments.begin(), arguments.end(), [&](const mission::Argument& one) {
+           const auto place = history.place(one, goal.received());
+           return place && history.in_the_air(*place) &&
+                  place->z() - history.terrain.elevation(place->x(), place->y()) >
+                      uav.spec->model.ceiling;
+         });
+}
+
 // Orders, or a partner, that never come: the wait ends, as it must, when what it may take is spent.
 // Whose fault that is, the partner's own goal tells. When such a wait began, or was given up; never
 // for every other goal.
@@ -213,17 +225,18 @@ bool is_too_steep_for(const History& history, const Uav& uav, const std::string&
 
 }  // namespace
 
-// In a run in which nothing goes wrong nothing fails, but what has a deadline or no device or would
-// make another miss one, waits for who never comes or has failed itself, what has no energy left
-// after those, and what one is to do that keeps to ground of which some is too steep for it, or
-// flies over or behind such and says so.
+// In a run in which nothing goes wrong nothing fails, but what has a deadline or no device, is to
+// fly higher than it can, or would make another miss one, waits for who never comes or has failed
+// itself, what has no energy left after those, and what one is to do that keeps to ground of which
+// some is too steep for it, or flies over or behind such and says so.
 std::vector<Violation> feasible_but_failed(const History& history) {
   std::vector<Violation> result;
   if (!is_clean(*history.scenario)) return result;
   for (const auto& [name, uav] : history.uavs) {
     const bool able =
-        std::all_of(uav.goals.begin(), uav.goals.end(),
-                    [&uav = uav](const auto& one) { return equipped(uav, one.second); });
+        std::all_of(uav.goals.begin(), uav.goals.end(), [&, &uav = uav](const auto& one) {
+          return equipped(uav, one.second) && flies_so_high(history, uav, one.second);
+        });
     if (has_deadline(uav) || !able || !climbs_everything(history, uav.spec->model)) continue;
     for (const auto& [id, goal] : uav.goals) {
       const Change& last = goal.changes.back();

@@ -83,8 +83,10 @@ TEST(Perceived, AnAlarmIsPerceivedWhereItWasSaidToBe) {
 // ---- progress ----
 
 TEST(Progress, WhatWasPerceivedIsNotPerceivedAgain) {
-  const auto again_for = [](double seconds) {
+  const auto again_for = [](double seconds, double waits = 0) {
     Story story = look(40);
+    if (waits > 0)
+      story.air("marvin", 110, "waits", "heliv to leave").air("marvin", 110 + waits, "had");
     story.does("marvin",
                {103, "takeshot", 701, 100, 100 + seconds, "ended", "visible", {150, 60, 0}});
     story.goal("marvin", 701, "perceive P1 60", "achieved", 100 + seconds);
@@ -93,6 +95,8 @@ TEST(Progress, WhatWasPerceivedIsNotPerceivedAgain) {
 
   EXPECT_THAT(again_for(20), IsEmpty());
   EXPECT_THAT(again_for(100), ElementsAre(HasSubstr("it looked for 140.0 of 60.0 s in 2 pieces")));
+  EXPECT_THAT(again_for(100, 10), IsEmpty()) << "between portions it waited for its air";
+  EXPECT_THAT(again_for(120, 10), SizeIs(1));
 }
 
 TEST(Progress, OneLongLookIsNoRepetition) { EXPECT_THAT(look(160).broken("progress"), IsEmpty()); }

@@ -92,6 +92,20 @@ TEST(Feasible, WhatWouldMakeAnotherMissItsDeadlineIsRefused) {
   EXPECT_THAT(fails("general-land"), SizeIs(1));
 }
 
+// Found by random missions (--anything --clean 991002): it was sent 160 m over the ground.
+TEST(Feasible, WhoIsSentHigherThanItFliesMayRefuse) {
+  const auto fails = [](const std::string& where) {
+    Story story;
+    const std::string statement = "general-gotoxyz " + where;
+    story.goal("marvin", 701, statement, "received", 1)
+        .goal("marvin", 701, statement, "failed", 2, "no");
+    return story.broken("feasible");
+  };
+
+  EXPECT_THAT(fails("(150 60 5000)"), IsEmpty());
+  EXPECT_THAT(fails("(150 60 50)"), SizeIs(1));
+}
+
 TEST(Feasible, OverGroundSteeperThanItClimbsAVehicleMayFindNoWay) {
   const auto fails = [](double height, const std::string& why) {
     Story story;

@@ -18,8 +18,8 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using world::Vector3;
 
-/// Over ground of that elevation, all around it to its height and above taken.
-std::vector<double> heights_aside(double elevation) {
+/// A helicopter over ground of that elevation.
+MergingConfig over_ground_at(double elevation) {
   world::TerrainSpec ground;
   ground.west = ground.south = -1'000;
   ground.east = ground.north = 1'000;
@@ -27,6 +27,12 @@ std::vector<double> heights_aside(double elevation) {
   MergingConfig config;
   config.model = testing::quick_helicopter();
   config.terrain = std::make_shared<const world::Terrain>(ground);
+  return config;
+}
+
+/// Over ground of that elevation, all around it to its height and above taken.
+std::vector<double> heights_aside(double elevation) {
+  const MergingConfig config = over_ground_at(elevation);
   AirwaySituation situation;
   situation.state.position = {0, 0, 40};
   situation.state.airborne = true;
@@ -40,14 +46,9 @@ std::vector<double> heights_aside(double elevation) {
 
 /// Where it comes down, of the way that is asked for first by one that got out of the way upwards.
 Vector3 comes_down_at(bool hovers) {
-  world::TerrainSpec ground;
-  ground.west = ground.south = -1'000;
-  ground.east = ground.north = 1'000;
-  MergingConfig config;
-  config.model = testing::quick_helicopter();
+  MergingConfig config = over_ground_at(0);
   config.model.hovers = hovers;
   config.model.min_turn_radius = config.model.orbit_radius = hovers ? 0 : 40;
-  config.terrain = std::make_shared<const world::Terrain>(ground);
   AirwaySituation situation;
   situation.state.position = {0, 0, 64};
   situation.state.airborne = true;
@@ -81,8 +82,7 @@ TEST(WaysAside, DoNotLeadDownToTheGround) {
 // Found by random missions (--sweepers --clean 990009): the first lane of a mapping was flown from
 // where the vehicle had got out of the way, and 5 % of the zone were not seen.
 TEST(BegunAt, WhoGotOutOfTheWayComesToWhereItsWayBegins) {
-  MergingConfig config;
-  config.model = testing::quick_helicopter();
+  const MergingConfig config = over_ground_at(0);
   AirwaySituation situation;
   situation.state.position = {30, 40, 40};
   situation.state.airborne = true;
