@@ -293,6 +293,7 @@ class CoverageRefiner {
                            " m high somewhere, above the vehicle's ceiling of " +
                            rounded(query_.vehicle.ceiling) + " m"};
     }
+    if (auto problem = check_inside(way)) return problem;
     for (std::size_t i = 0; i + 1 < way.size(); ++i)
       if (const world::Volume* volume = entered(way[i], way[i + 1], volumes_))
         return Refusal{RefusalKind::kBlocked, "area",
@@ -306,6 +307,20 @@ class CoverageRefiner {
                          " % of the energy held when full; " + rounded(100 * most) +
                          " % may be used"};
     return std::nullopt;
+  }
+
+  /// Vehicles are sent to no way-point outside the terrain. An area that itself is outside in part
+  /// is swept all the same.
+  std::optional<Refusal> check_inside(const Way& way) const {
+    const auto is_outside = [&](const auto& at) {
+      return !setting_.world.terrain.contains(at.x(), at.y());
+    };
+    if (std::any_of(query_.area.begin(), query_.area.end(), is_outside)) return std::nullopt;
+    const auto outside = std::find_if(way.begin(), way.end(), is_outside);
+    if (outside == way.end()) return std::nullopt;
+    return Refusal{RefusalKind::kBlocked, "area",
+                   "a turn leads out of the terrain near (" + rounded(outside->x()) + ", " +
+                       rounded(outside->y()) + ")"};
   }
 
   /// Lanes are above it; the way up to them, or down to the end, may come too near.

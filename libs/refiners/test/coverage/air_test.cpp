@@ -372,6 +372,27 @@ TEST(Coverage, TakesOtherLanesWhereTheTurnsOfTheQuickestWouldBeInAVolume) {
     EXPECT_FALSE(enters(refined->task.way[i], refined->task.way[i + 1], world.volumes[0]));
 }
 
+// Found by random missions (--sweepers --clean 993004): the vehicle refused way-points of a turn
+// beyond the terrain, three times, and its goal failed.
+TEST(Coverage, TakesOtherLanesWhereTheTurnsOfTheQuickestWouldLeadOutOfTheTerrain) {
+  const world::World world = testing::level_world(320);
+  CoverageQuery query = plain_query();
+  query.vehicle = fixed_wing();
+  query.area = rectangle(-300, -100, 300, 100);
+  query.mode = SweepMode::kGiven;  // along the longer side, with turns at the west and the east
+  const auto along = refine(query, {.world = world, .budget = {}});
+  ASSERT_FALSE(along);
+  EXPECT_NE(along.error().why.find("a turn leads out of the terrain near ("), std::string::npos)
+      << along.error().why;
+
+  query.mode = SweepMode::kLeastTime;
+  const auto refined = refine(query, {.world = world, .budget = {}});
+
+  ASSERT_TRUE(refined) << refined.error().why;
+  EXPECT_GT(covered(query, refined->task), 0.9999);
+  for (const Vector3& at : refined->task.way) EXPECT_TRUE(world.terrain.contains(at.x(), at.y()));
+}
+
 TEST(Enters, TouchingIsNotEntering) {
   const world::Volume tower = zone(rectangle(0, 0, 10, 10), 0, 20);
 
