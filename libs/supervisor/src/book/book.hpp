@@ -30,6 +30,7 @@ struct Goal {
   GoalState state = GoalState::kReceived;
   std::string why;
   int refined = 0;      ///< how often it was refined again after a failure
+  std::string no_air;   ///< why it was given up last for want of air
   bool queued = false;  ///< its mission waits for its insertion
   std::string done;     ///< its progress in words, by tasks that are over
   /// Planned without tasks: the goal will be true when its turn comes, provided that the vehicle is

@@ -308,6 +308,13 @@ void Observer::pause_need(const Entry& entry, int refused) {
               "); it is planned again in " + to_text(pause) + " s");
 }
 
+// Others were in its way than before: it is a queue that moves, not one who stays for good.
+void Observer::excuse_if_others_fly_by(const Entry& entry) {
+  Goal& goal = book_.goals.at(entry.task.origin);
+  const std::string before = std::exchange(goal.no_air, entry.why);
+  if (!before.empty() && before != entry.why) goal.refined = std::max(0, goal.refined - 1);
+}
+
 // By the vehicle, or by the executive. The goal is planned again, at once or after a pause.
 void Observer::refused(const Entry& entry, const std::string& what) {
   const int times = refusals_.count(entry.task.type, entry.why, now());
@@ -315,6 +322,7 @@ void Observer::refused(const Entry& entry, const std::string& what) {
   // Nothing is better to do in closed air: its vehicle does not use up its attempts to leave.
   if (entry.cause != executive::AbortCause::kNoAir && leaves_closed_air(entry))
     book_.goals.at(entry.task.origin).refined = 0;
+  if (entry.cause == executive::AbortCause::kNoAir) excuse_if_others_fly_by(entry);
   contingencies_.fail_goal(
       entry.task.origin, times > 1 ? what + " (" + std::to_string(times) + " times alike)" : what);
   if (!agenda_.needed()) return;

@@ -45,6 +45,7 @@ class Observer {
   void see_ended(Entry& entry);
   void see_aborted(Entry& entry);
   void settle_done(Entry& entry);
+  void excuse_if_others_fly_by(const Entry& entry);
   void refused(const Entry& entry, const std::string& what);
   void pause_need(const Entry& entry, int refused);
   bool leaves_closed_air(const Entry& entry) const;

@@ -72,6 +72,19 @@ class Refused {
   }
   /// What is planned from now on comes after the task that was refused last.
   void plan_behind_what_was_lost() { behind_ = true; }
+  /// It is given up for want of air that others have, `times` times. Whether it was then planned
+  /// again each time.
+  bool lacks_air(int times, const std::vector<std::string>& others) {
+    for (int i = 0; i < times; ++i) {
+      const std::string& other = others[static_cast<std::size_t>(i) % others.size()];
+      desk.at(360 * i);
+      desk.aborted(next_ - 2, "it waits for " + other + " to leave", executive::AbortCause::kNoAir);
+      if (!desk.job_started()) desk.at(360 * i + 60).give(Tick{});
+      if (!desk.repair().refine_failed) return false;
+      plan_again();
+    }
+    return true;
+  }
   void plan_again() { desk.finish(repaired(RepairStep::kRefine, {701, 702}, plan())); }
 
   Desk desk;
@@ -126,6 +139,15 @@ TEST(SupervisorRefusals, ForWantOfAirItGoesBehindTheOthers) {
   ASSERT_TRUE(one.desk.job_started());
   EXPECT_EQ(one.desk.repair().failed->id, GoalId{701});
   EXPECT_TRUE(one.desk.repair().failed_goes_behind);
+}
+
+// Found by random missions (--sweepers --clean 993023): of three that swept the same air one after
+// the other, the last failed 80 s before it was its turn.
+TEST(SupervisorRefusals, ForWantOfAirThatOthersHaveThanBeforeDoNotCount) {
+  Refused moves, stands;
+
+  EXPECT_TRUE(moves.lacks_air(6, {"uav2", "uav3"}));
+  EXPECT_FALSE(stands.lacks_air(6, {"uav2"}));
 }
 
 TEST(SupervisorRefusals, WordsDoNotMakeItOneForWantOfAir) {
