@@ -36,7 +36,20 @@ std::vector<Law> team_laws() {
       {"team-home", "who is out of reach of most and has nothing to do comes home", left_aloft}};
 }
 
-std::vector<Law> all_but_team_laws() {
+/// Of flights and drives, by where the vehicles truly were.
+std::vector<Law> motion_laws() {
+  return {
+      {"closed-air", "not in closed air but on the way out", in_closed_air},
+      {"closed-air-told", "who is in closed air below degree 4 says so", closed_air_untold},
+      {"above-ground", "who plans flies into no ground", flown_into_the_ground},
+      {"separation", "where it is asked for, UAVs in the air keep the separation of their models",
+       too_near_in_the_air},
+      {"energy", "never below the reserve in the air, nor on a drive", energy_short},
+      {"on-the-ground", "what keeps to the ground is on it, and on none that is too steep for it",
+       off_its_ground}};
+}
+
+std::vector<Law> task_laws() {
   return {
       {"lines", "every line that these laws read has what one of its kind must have", lines_unread},
       {"perceived", "a perception achieved looked from its place, for its time",
@@ -87,23 +100,16 @@ std::vector<Law> all_but_team_laws() {
       {"evaluated", "a mission takes what its evaluation said", evaluations_off},
       {"wind", "the wind that is felt blows", winds_off},
       {"seen", "objects that are followed were where they are said to be", objects_elsewhere},
-      {"fires", "what has burnt goes on to belong to its fire", fires_that_shrink},
-      {"closed-air", "not in closed air but on the way out", in_closed_air},
-      {"closed-air-told", "who is in closed air below degree 4 says so", closed_air_untold},
-      {"above-ground", "who plans flies into no ground", flown_into_the_ground},
-      {"separation", "where it is asked for, UAVs in the air keep the separation of their models",
-       too_near_in_the_air},
-      {"energy", "never below the reserve in the air, nor on a drive", energy_short},
-      {"on-the-ground", "what keeps to the ground is on it, and on none that is too steep for it",
-       off_its_ground}};
+      {"fires", "what has burnt goes on to belong to its fire", fires_that_shrink}};
 }
 
 }  // namespace
 
 const std::vector<Law>& all_laws() {
   static const std::vector<Law> kLaws = [] {
-    std::vector<Law> all = all_but_team_laws(), team = team_laws();
-    for (Law& law : team) all.push_back(std::move(law));
+    std::vector<Law> all = task_laws();
+    for (std::vector<Law> more : {motion_laws(), team_laws()})
+      for (Law& law : more) all.push_back(std::move(law));
     return all;
   }();
   return kLaws;

@@ -298,7 +298,7 @@ std::vector<Violation> idling_untold(const History& history) {
     if (history.was_killed(name)) continue;
     std::optional<double> since;
     for (const Sample& sample : uav.samples) {
-      if (!does_nothing_in_a_hand(uav, sample)) {
+      if (!does_nothing_in_a_hand(uav, sample) || history.was_away(name, sample.at, sample.at)) {
         since.reset();
         continue;
       }

@@ -244,6 +244,19 @@ TEST(IdleTold, ATaskThatIsUnderWayIsEnough) {
   EXPECT_THAT(story.broken("idle-told"), IsEmpty());
 }
 
+// Found by a test of restarts (comets/confirmed): it was 26 s in the air when its node died.
+TEST(IdleTold, WhoseNodeIsDownMeanwhileSaysItLater) {
+  const auto down_until = [](double until) {
+    return hangs_in_the_air()
+        .fault(50, "kill", "marvin")
+        .fault(until, "resume", "marvin")
+        .broken("idle-told");
+  };
+
+  EXPECT_THAT(down_until(110), ElementsAre(HasSubstr("in the air at degree 3")));
+  EXPECT_THAT(down_until(140), IsEmpty());
+}
+
 // Found by random missions (--hands 990035): at degree 1 a UAV does not know of it.
 TEST(IdleTold, ARendezvousThatTheGroundKeepsForItIsNoTaskOfItsOwn) {
   Story story = hangs_in_the_air();

@@ -15,7 +15,6 @@ struct Margins {
   /// around the line on which it departs, so that a holding vehicle can always climb.
   double hold = 0;
   double way = 0;      ///< horizontal radius around a line that is flown, with stops on it
-  double apart = 0;    ///< of all these: half of the horizontal separation
   double settled = 0;  ///< within this distance [m] of its holding place `hold` is enough
   double level = 0;    ///< vertical, in level flight and while holding
   double slope = 0;    ///< vertical, while climbing or descending
@@ -25,6 +24,7 @@ struct Margins {
   /// that is too near to the last for its turns, so none is inserted where less than half of this
   /// length remains.
   double steered = 0;
+  double apart = 0;  ///< the half of the horizontal separation that all these include
 };
 
 /// `speed`: airspeed [m/s]. Wind counts with its mean and three standard deviations of its gusts.
