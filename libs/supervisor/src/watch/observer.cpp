@@ -102,6 +102,8 @@ void Observer::see_loose(const executive::TaskEvent& event) {
     one.elsewhere = one.elsewhere && event.state != TaskState::kScheduled;
     one.begun = one.begun || event.state != TaskState::kScheduled;
     one.ran = one.ran || event.state == TaskState::kRunning;
+    moved_by_others_ =
+        moved_by_others_ || (one.ran && type.motion == functional::Motion::kMoves && !one.ours);
     return;
   }
   if (known == book_.loose.end()) return;
@@ -154,7 +156,13 @@ void Observer::see(Entry& entry, const executive::TaskEvent& event) {
       return;
     case TaskState::kStarted:
     case TaskState::kRunning:
+      if (!entry.task.way.empty()) moved_by_others_ = false;
       see_started(entry);
+      if (engaged() && begins_elsewhere(entry))
+        return contingencies_.fail_goal(
+            entry.task.origin, "task " + to_text(entry.task.id) +
+                                   " begins far from where it was planned: another task has moved "
+                                   "the vehicle meanwhile");
       break;
     case TaskState::kAborting:
       entry.why = event.reason;
@@ -172,6 +180,23 @@ void Observer::see(Entry& entry, const executive::TaskEvent& event) {
   if (!engaged()) return committer_.reschedule();
   contingencies_.check_network("task " + to_text(event.id) + " " +
                                std::string(to_text(event.state)));
+}
+
+// Its way there was flown, also at the ground's order, and something else led the vehicle away.
+bool Observer::begins_elsewhere(const Entry& look) const {
+  constexpr double kFar = 25;  // [m]
+  if (!moved_by_others_ || !look.live() || look.task.parameters.find("target") == nullptr)
+    return false;
+  const Entry* way = nullptr;
+  for (const Entry* one : book_.of(look.task.origin)) {
+    if (one == &look) break;
+    if (!one->task.way.empty()) way = one;
+  }
+  if (way == nullptr || way->under_way()) return false;
+  const world::VehicleModel& model = beliefs_.model();
+  const double circles = model.hovers ? 0 : 2 * model.orbit_radius;
+  const world::Vector3 off = beliefs_.vehicle().position - way->task.way.back();
+  return off.head<2>().norm() > kFar + circles;
 }
 
 // A goal that was handed over is the ground's, but when all of it is with the executive.

@@ -55,6 +55,7 @@ class Observer {
   bool was_stopped_in_time(const Entry& entry) const;
   std::string missed(const Entry& entry) const;
   bool follows_lost_task(const Entry& entry) const;
+  bool begins_elsewhere(const Entry& look) const;
 
   HandOver& hand_over_;
   SafeMode& safe_mode_;
@@ -69,6 +70,9 @@ class Observer {
   Refusals refusals_;
   WayWatch ways_;
   bool led_away_ = false;  ///< an operator's task has moved the vehicle since the plan was made
+  /// A task that is not the plan's, such as a flight home out of contact, has moved the vehicle
+  /// since a motion of the plan did.
+  bool moved_by_others_ = false;
 };
 
 }  // namespace skein::supervisor

@@ -268,5 +268,32 @@ TEST(SupervisorCancel, OfAMissionThatWaitsIsToldAsNotPlanned) {
   EXPECT_THAT(desk.requests(), IsEmpty());
 }
 
+/// The way to a look is flown; then a task that is not the plan's leads the vehicle there, and the
+/// look begins.
+bool is_planned_again_at(const world::Vector3& where) {
+  Desk desk = Desk::engaged();
+  desk.flies();
+  desk.add(a_mission(1, {701}));
+  desk.finish(inserted(
+      {701}, {TaskOf(100, "goto", 701).way({{0, 0, 40}, {500, 0, 40}}),
+              TaskOf(101, "takeshot", 701).after(100).device("camera").target({500, 0, 0})}));
+  desk.runs(100);
+  desk.flies({500, 0, 40});
+  desk.ends(100);
+  const std::uint64_t home = 1'000'372'371;
+  desk.seen(home, TaskState::kRunning);
+  desk.seen(home, TaskState::kAborted);
+  desk.flies(where);
+  desk.seen(101, TaskState::kStarted, "", "takeshot");
+  return desk.job_started();
+}
+
+// Found by random missions (--anything --merged 994001): a robot that was on its way home out of
+// contact was given back, and perceived for 66 s from where it was.
+TEST(Contingencies, ALookIsNotDoneFromWhereAnotherTaskHasLedTheVehicle) {
+  EXPECT_TRUE(is_planned_again_at({200, 0, 40}));
+  EXPECT_FALSE(is_planned_again_at({490, 0, 40}));
+}
+
 }  // namespace
 }  // namespace skein::supervisor
