@@ -79,6 +79,13 @@ bool at_any_height(Core& core, const functional::Request& request, bool asked_lo
   });
 }
 
+/// What comes before it in the plan, such as a joint task, may have ended elsewhere than was
+/// planned.
+bool is_of_plan(Core& core, const functional::Request& request) {
+  return mission::deliberates(core.degree()) &&
+         core.deliberation().origin_of(request.id) != mission::GoalId();
+}
+
 /// What is looked at on the way is looked at from where the way begins, not from where the vehicle
 /// got out of the way meanwhile.
 bool is_to_begin_there(Core& core, const functional::Request& request) {
@@ -197,8 +204,9 @@ void Merging::ask() {
   }
   cut();
   functional::Request flight = waiting_->request;
-  if (place_ && !(portions_ && portions_->running) && core_.deliberation().possible()) {
-    if (is_to_begin_there(core_, flight))
+  const bool elsewhere = place_ || is_of_plan(core_, flight);
+  if (elsewhere && !(portions_ && portions_->running) && core_.deliberation().possible()) {
+    if (place_ && is_to_begin_there(core_, flight))
       flight = begun_at(*place_, flight, *core_.config().merging, situation());
     flight = led_around(flight, *core_.config().merging, situation(), core_.deliberation().world());
   }

@@ -81,5 +81,20 @@ TEST(MergingBesideClosedAir, WhoGotOutOfTheWayGoesAroundClosedAirToASweepInPorti
       {100, 0, 40, 100, 300, 40, 140, 300, 40, 140, 0, 40, 180, 0, 40, 180, 300, 40});
 }
 
+// Found by random missions (--mixed --merged 994015): a joint task had ended elsewhere than where
+// the way home after it was planned from, and the leg to that led through smoke.
+TEST(MergingBesideClosedAir, AWayOfThePlanThatBeginsElsewhereIsReachedAroundIt) {
+  world::Volume smoke{"smoke", {{20, -40}, {80, -40}, {80, 40}, {20, 40}}, 0, 200, {}};
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {-300, 0, 40}}}, 4, ContactPolicy::kContinue,
+                  {smoke});
+  team.plan("marvin", goto_of(9, {100, 0, 40, 200, 0, 40}));
+  for (int i = 0; i < 240 && !team.is_over("marvin", 9); ++i) {
+    team.run(0.5);
+    const world::Vector3& at = team.state("marvin").position;
+    EXPECT_FALSE(world::crosses(smoke, 0, at, at)) << at.transpose();
+  }
+  EXPECT_TRUE(team.is_over("marvin", 9));
+}
+
 }  // namespace
 }  // namespace skein::decision_node

@@ -59,11 +59,12 @@ inline executive::Start takeoff_of(std::uint64_t id, double altitude) {
   return start;
 }
 
-/// What a UAV at degree 4 has to know, without anything that it could plan.
+/// What a UAV at degree 4 has to know, without anything that it could plan but a visit.
 inline std::shared_ptr<const supervisor::Knowledge> knowledge_of(const std::string& uav) {
   auto knowledge = std::make_shared<supervisor::Knowledge>();
   knowledge->uav = uav;
   knowledge->vehicle = model_of(uav);
+  knowledge->vocabulary.tasks["visit"] = {"visit", {}, {}};
   return knowledge;
 }
 
@@ -125,6 +126,21 @@ class MergedTeam {
     give(uav, ElementaryRequest{{functional::Verb::kDispatch, task, type, std::move(parameters)}});
   }
 
+  /// Its plan is this flight, for a goal that it is given.
+  void plan(const std::string& uav, const executive::Start& flight) {
+    mission::ElementaryTask task;
+    task.id = flight.task.id;
+    task.type = flight.task.type;
+    task.parameters = flight.task.parameters;
+    task.origin = mission::GoalId(701);
+    task.duration = {Duration::seconds(1), Duration::seconds(300)};
+    uavs_[uav].planned = std::move(task);
+    mission::UnitMission mission;
+    mission.id = mission::MissionId(1);
+    mission.tasks.push_back({mission::GoalId(701), "visit", {}, {}});
+    command(uav, mission);
+  }
+
   /// In tenths of seconds.
   void run(double seconds) {
     for (int i = 0; i < static_cast<int>(seconds * 10 + 0.5); ++i) {
@@ -133,6 +149,7 @@ class MergedTeam {
       for (const auto& [to, told] : messages)
         if (!cut_.contains({told.from, to}) && !cut_.contains({to, told.from})) hear(to, told);
       if (!searches_withheld_) search();
+      plan();
       for (const std::string& name : names_) fly(name);
       for (const std::string& name : names_) wake(name);
     }
@@ -211,8 +228,22 @@ class MergedTeam {
     double turned = 0;  ///< on its circles [rad]
     int given = 0;      ///< requests
     std::vector<StartWaySearch> searches;
-    int flown = 0;  ///< [0.1 s]
+    std::optional<mission::ElementaryTask> planned;
+    std::vector<std::uint64_t> jobs;  ///< of planning
+    int flown = 0;                    ///< [0.1 s]
   };
+
+  void plan() {
+    for (const std::string& name : names_) {
+      for (const std::uint64_t job : std::exchange(uavs_[name].jobs, {})) {
+        supervisor::InsertionOutcome outcome;
+        outcome.plan.emplace().tasks = {*uavs_[name].planned};
+        outcome.order = {{uavs_[name].planned->origin, "visit", {}, {}}};
+        outcome.chosen = mission::Placement::kLast;
+        give(name, supervisor::JobFinished{job, outcome});
+      }
+    }
+  }
 
   void search() {
     for (const std::string& name : names_)
@@ -243,6 +274,8 @@ class MergedTeam {
         radio_.emplace_back(send->to, MergeTold{name, send->message});
       if (const auto* to = std::get_if<ToVehicle>(&effect)) take(uav, to->request);
       if (const auto* job = std::get_if<StartWaySearch>(&effect)) uav.searches.push_back(*job);
+      if (const auto* job = std::get_if<supervisor::StartDeliberation>(&effect))
+        uav.jobs.push_back(job->job);
       if (const auto* note = std::get_if<AirNoted>(&effect)) uav.notes.push_back(*note);
       if (const auto* notice = std::get_if<Notice>(&effect)) uav.notices.push_back(notice->text);
       if (const auto* status = std::get_if<StatusPassedOn>(&effect))
