@@ -293,7 +293,7 @@ class CoverageRefiner {
                            " m high somewhere, above the vehicle's ceiling of " +
                            rounded(query_.vehicle.ceiling) + " m"};
     }
-    if (auto problem = check_inside(way)) return problem;
+    if (auto problem = check_inside(refined.task)) return problem;
     for (std::size_t i = 0; i + 1 < way.size(); ++i)
       if (const world::Volume* volume = entered(way[i], way[i + 1], volumes_))
         return Refusal{RefusalKind::kBlocked, "area",
@@ -309,18 +309,21 @@ class CoverageRefiner {
     return std::nullopt;
   }
 
-  /// Vehicles are sent to no way-point outside the terrain. An area that itself is outside in part
-  /// is swept all the same.
-  std::optional<Refusal> check_inside(const Way& way) const {
+  /// Vehicles are sent to no way-point outside the terrain, but where they start or end there. An
+  /// area that itself is outside in part is swept all the same.
+  std::optional<Refusal> check_inside(const Coverage& task) const {
     const auto is_outside = [&](const auto& at) {
       return !setting_.world.terrain.contains(at.x(), at.y());
     };
     if (std::any_of(query_.area.begin(), query_.area.end(), is_outside)) return std::nullopt;
-    const auto outside = std::find_if(way.begin(), way.end(), is_outside);
-    if (outside == way.end()) return std::nullopt;
-    return Refusal{RefusalKind::kBlocked, "area",
-                   "a turn leads out of the terrain near (" + rounded(outside->x()) + ", " +
-                       rounded(outside->y()) + ")"};
+    const Way& way = task.way;
+    const std::size_t last = last_index_of(way, task.lanes.back().to);
+    for (std::size_t i = index_of(way, task.lanes.front().from); i < last && i < way.size(); ++i)
+      if (is_outside(way[i]))
+        return Refusal{RefusalKind::kBlocked, "area",
+                       "a turn leads out of the terrain near (" + rounded(way[i].x()) + ", " +
+                           rounded(way[i].y()) + ")"};
+    return std::nullopt;
   }
 
   /// Lanes are above it; the way up to them, or down to the end, may come too near.
