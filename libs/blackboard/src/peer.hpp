@@ -20,10 +20,11 @@ namespace skein::blackboard {
 ///
 /// A heartbeat goes out each period, and at once when the channel comes up, a peer (or a new
 /// incarnation of it) is first heard, or one says that it hears this node no more, so that its
-/// session opens without delay; and soon after events have arrived, as their acknowledgement. A heartbeat names the incarnation of the peer
-/// that is heard, or none while the peer is silent, so that both notice a link that works in one
-/// direction only. A peer that has neither been heard nor been sent an event has no session yet:
-/// in a large team most are never in reach. Source: spec 1.3 (reachability, class event).
+/// session opens without delay; and soon after events have arrived, as their acknowledgement. A
+/// heartbeat names the incarnation of the peer that is heard, or none while the peer is silent, so
+/// that both notice a link that works in one direction only. A peer that has neither been heard nor
+/// been sent an event has no session yet: in a large team most are never in reach.
+/// Source: spec 1.3 (reachability, class event).
 class Peer {
  public:
   /// The configuration and `none`, a session without content, outlive the peer.
