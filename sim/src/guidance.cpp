@@ -44,25 +44,10 @@ double bearing(const Vector2& from, const Vector2& to) {
   return std::atan2(to.y() - from.y(), to.x() - from.x());
 }
 
-/// The speed from which it can still stop in `distance` with half its acceleration.
-double stopping_speed(double acceleration, double distance) {
-  return std::min(std::sqrt(acceleration * distance), world::kPositionGain * distance);
-}
-
-/// At a way-point that is flown by: stops where the way turns back, keeps its speed where it goes
-/// straight on, and its climb on a slope.
-Guidance::Passage passage_of(const Fly& goal) {
+world::Passage passage_of(const Fly& goal) {
   if (goal.next == 0 || goal.next + 1 >= goal.waypoints.size()) return {};
-  const Vector3 in = goal.waypoints[goal.next] - goal.waypoints[goal.next - 1];
-  const Vector3 out = goal.waypoints[goal.next + 1] - goal.waypoints[goal.next];
-  if (in.norm() <= 0 || out.norm() <= 0) return {};
-  const Vector3 before = in.normalized(), after = out.normalized();
-  Guidance::Passage passage;
-  passage.speed = goal.speed * (1 + before.dot(after)) / 2;
-  const bool goes_on = before.z() * after.z() > 0;
-  const double slope = std::min(std::abs(before.z()), std::abs(after.z()));
-  if (goes_on) passage.climb = passage.speed * std::copysign(slope, after.z());
-  return passage;
+  return world::passage_of(goal.waypoints[goal.next - 1], goal.waypoints[goal.next],
+                           goal.waypoints[goal.next + 1], goal.speed);
 }
 
 }  // namespace
@@ -176,7 +161,7 @@ Command Guidance::follow(const Fly& goal, const Vehicle& vehicle, const Vector3&
   const Vector3 aim = goal.waypoints[goal.next] + error;
   const double speed = pace() * goal.speed;
   if (model_.hovers) {
-    const Passage passage = passage_of(goal);
+    const world::Passage passage = passage_of(goal);
     return hover_towards(vehicle, aim, speed, {pace() * passage.speed, pace() * passage.climb});
   }
   Command command;
@@ -200,11 +185,12 @@ Command Guidance::keep(const Vehicle& vehicle, const Vector3& at) const {
 
 /// Straight at the point in space: the quicker of the two motions waits for the slower.
 Command Guidance::hover_towards(const Vehicle& vehicle, const Vector3& at, double speed,
-                                const Passage& there) const {
+                                const world::Passage& there) const {
   const world::VehicleState& state = vehicle.state();
   const double distance = (at - state.position).head<2>().norm();
   if (model_.ground) {
-    const double stopping = std::hypot(there.speed, stopping_speed(model_.acceleration, distance));
+    const double stopping =
+        std::hypot(there.speed, world::stopping_speed(model_.acceleration, distance));
     return {.speed = std::min(speed, stopping),
             .course = bearing(state.position.head<2>(), at.head<2>())};
   }
@@ -212,8 +198,8 @@ Command Guidance::hover_towards(const Vehicle& vehicle, const Vector3& at, doubl
   Command command;
   command.course = bearing(state.position.head<2>(), at.head<2>());
   command.climb = level_towards(state, at.z(), there.climb);
-  command.speed =
-      std::min(speed, std::hypot(there.speed, stopping_speed(model_.acceleration, distance)));
+  command.speed = std::min(
+      speed, std::hypot(there.speed, world::stopping_speed(model_.acceleration, distance)));
   if (distance < kNear || rise < kNear) return command;
   const double level_time = distance / command.speed;
   const double climb_time = rise / std::abs(command.climb);
@@ -272,7 +258,7 @@ double Guidance::level_towards(const world::VehicleState& state, double height,
   const double error = allowed - state.position.z();
   // Past the height, or where it may not go there, it comes back to it.
   const double there = std::abs(allowed - height) > 0 || climb_there * error < 0 ? 0 : climb_there;
-  const double rate = stopping_speed(model_.acceleration, std::abs(error));
+  const double rate = world::stopping_speed(model_.acceleration, std::abs(error));
   return std::clamp(there + std::copysign(rate, error), -pace() * model_.descent_rate,
                     pace() * model_.climb_rate);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "skein/elementary/task_checks.hpp"
+#include "skein/world/passage.hpp"
 #include "skein/world/terrain.hpp"
 #include "skein/world/wind.hpp"
 #include "vehicle.hpp"
@@ -56,12 +57,6 @@ using Goal = std::variant<Stay, Hold, Rise, Descend, Fly, Brake>;
 /// | Hold, Stay | at once                                       | –           |
 class Guidance {
  public:
-  /// How a way-point is flown by [m/s].
-  struct Passage {
-    double speed = 0;
-    double climb = 0;
-  };
-
   /// The terrain must outlive the guidance.
   Guidance(const world::VehicleModel& model, const world::Terrain& terrain,
            const world::Wind& wind);
@@ -98,7 +93,7 @@ class Guidance {
 
   Command keep(const Vehicle& vehicle, const world::Vector3& at) const;
   Command hover_towards(const Vehicle& vehicle, const world::Vector3& at, double speed,
-                        const Passage& there) const;
+                        const world::Passage& there) const;
   Command orbit(const Vehicle& vehicle, const world::Vector3& at) const;
   bool needs_room(const world::VehicleState& state, const world::Vector2& at, double radius) const;
   double allowed_height(const world::VehicleState& state, double height) const;

@@ -40,11 +40,6 @@ bool Flown::passed(const world::Vector3& position) {
   return true;
 }
 
-const world::VehicleState& VehicleAir::state() const {
-  static const world::VehicleState kUnseen;
-  return seen_ ? *seen_ : kUnseen;
-}
-
 void Flown::stays_on(const Circle& circle, const merging::Margins& margins) {
   const double around = circle.radius + margins.apart;
   const auto off = [&](const merging::Volume& piece) {
@@ -68,6 +63,11 @@ void Flown::stays_on(const Circle& circle, const merging::Margins& margins) {
   }
   airway.way.reset();
   behind.clear();
+}
+
+const world::VehicleState& VehicleAir::state() const {
+  static const world::VehicleState kUnseen;
+  return seen_ ? *seen_ : kUnseen;
 }
 
 bool VehicleAir::see(const world::VehicleState& state, MissionTime now) {
@@ -116,7 +116,6 @@ bool VehicleAir::come_to_rest() {
   if (!there && !still && !circles) return false;
   rest_ = there || circles ? *end : state().position;
   flown_.reset();
-  circling_.reset();
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "skein/foundation/random.hpp"
+#include "skein/world/passage.hpp"
 #include "skein/world/steering.hpp"
 
 namespace skein::supervisor {
@@ -27,27 +28,6 @@ constexpr double kVerticalShare = 0.5;           // heights are held better than
 constexpr double kGustLasts = 5, kGustStep = 1;  // [s]
 
 Vector2 facing(double heading) { return {std::cos(heading), std::sin(heading)}; }
-
-/// From which it can still stop in `distance` with half its acceleration.
-double stopping_speed(double acceleration, double distance) {
-  return std::min(std::sqrt(acceleration * distance), world::kPositionGain * distance);
-}
-
-/// How a way-point is flown by [m/s].
-struct Passage {
-  double speed = 0, climb = 0;
-};
-
-/// Stops where the way turns back, keeps its speed where it goes straight on, and its climb on a
-/// slope.
-Passage passage_of(const Vector3& before, const Vector3& at, const Vector3& behind, double speed) {
-  if ((at - before).norm() <= 0 || (behind - at).norm() <= 0) return {};
-  const Vector3 in = (at - before).normalized(), out = (behind - at).normalized();
-  Passage passage{speed * (1 + in.dot(out)) / 2, 0};
-  const double slope = std::min(std::abs(in.z()), std::abs(out.z()));
-  if (in.z() * out.z() > 0) passage.climb = passage.speed * std::copysign(slope, out.z());
-  return passage;
-}
 
 /// `turn`: from its heading on [rad]; `course`: a unit vector, of what hovers.
 struct Order {
@@ -80,18 +60,20 @@ class Flyer {
   double level_towards(double height, double climb_there = 0) const {
     const double error = height - at_.z();
     const double there = climb_there * error < 0 ? 0 : climb_there;  // past it, it comes back
-    return there + std::copysign(stopping_speed(vehicle_.acceleration, std::abs(error)), error);
+    return there +
+           std::copysign(world::stopping_speed(vehicle_.acceleration, std::abs(error)), error);
   }
 
   /// Straight at a point: the quicker of the two motions waits for the slower.
-  Order hover_towards(const Vector3& to, const Passage& there) const {
+  Order hover_towards(const Vector3& to, const world::Passage& there) const {
     const Vector2 level = (to - at_).head<2>();
     const double distance = level.norm(), rise = std::abs(to.z() - at_.z());
     const double climb =
         std::clamp(level_towards(to.z(), there.climb), -vehicle_.descent_rate, vehicle_.climb_rate);
-    Order order{std::min(vehicle_.cruise_speed,
-                         std::hypot(there.speed, stopping_speed(vehicle_.acceleration, distance))),
-                0, climb, distance > 0 ? Vector2(level / distance) : Vector2::UnitX()};
+    Order order{
+        std::min(vehicle_.cruise_speed,
+                 std::hypot(there.speed, world::stopping_speed(vehicle_.acceleration, distance))),
+        0, climb, distance > 0 ? Vector2(level / distance) : Vector2::UnitX()};
     if (distance < kNear || rise < kNear) return order;
     const double level_time = distance / order.speed, climb_time = rise / std::abs(order.climb);
     if (climb_time < level_time)
@@ -248,9 +230,10 @@ FlownWay fly_way(const Pose& from, const Way& way, const VehicleModel& vehicle,
     const Vector3 aim = way[std::min(next, way.size() - 1)] + shaking.error();
     if (vehicle.hovers) {
       const bool is_corner = next > 0 && next + 1 < way.size();
-      order = flyer.hover_towards(
-          aim, is_corner ? passage_of(way[next - 1], way[next], way[next + 1], vehicle.cruise_speed)
-                         : Passage());
+      order = flyer.hover_towards(aim, is_corner
+                                           ? world::passage_of(way[next - 1], way[next],
+                                                               way[next + 1], vehicle.cruise_speed)
+                                           : world::Passage());
     } else {
       const double radius = vehicle.min_turn_radius * (makes_room ? kRoomMargin : 1);
       makes_room = flyer.needs_room(way[next].head<2>(), radius, tolerance);
