@@ -33,11 +33,7 @@ bool Ears::is_news(const blackboard::Incoming& incoming) {
   const auto* received = std::get_if<blackboard::Received>(&incoming);
   if (received == nullptr) return true;
   const auto* record = std::get_if<wire::JournalEntry>(&received->sample);
-  if (record == nullptr) return true;
-  std::uint64_t& last = records_[{received->origin, record->header.incarnation}];
-  if (record->header.sequence_number <= last) return false;
-  last = record->header.sequence_number;
-  return true;
+  return record == nullptr || records_.is_news(received->origin, *record);
 }
 
 }  // namespace skein::run_tool

@@ -4,12 +4,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
+#include "heard_records.hpp"
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/blackboard/dds_config.hpp"
 #include "skein/blackboard/transport.hpp"
@@ -33,7 +32,6 @@ class Ears {
   std::vector<blackboard::Incoming> listen(blackboard::Now now);
 
  private:
-  /// Not a record that was heard before; then it is the last of its process.
   bool is_news(const blackboard::Incoming& incoming);
 
   blackboard::DdsConfig config_;
@@ -42,9 +40,7 @@ class Ears {
   std::unique_ptr<blackboard::Transport> transport_;
   std::optional<blackboard::Blackboard> board_;
   std::vector<blackboard::Incoming> last_;  ///< words of the participant before
-  /// Node and incarnation: of two processes with one name both may speak.
-  using Process = std::pair<blackboard::NodeNumber, std::uint64_t>;
-  std::map<Process, std::uint64_t> records_;  ///< sequence number of the last record
+  HeardRecords records_;
 };
 
 }  // namespace skein::run_tool

@@ -71,7 +71,7 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
                          member.role == wire::Role::kFunctional;
     if (awaited) config.awaited.push_back(member.name);
   }
-  config.on_record = [json = options.log_json](const journal::Record& record) {
+  config.on_record = [json = options.log_json](const journal::Record& record, node::LineMark) {
     spdlog::log(level_of(record), "{}", json ? journal::to_json(record) : log_line(record));
   };
   config.on_middleware_log = [json = options.log_json, name = self.name](const std::string& line) {
@@ -92,11 +92,16 @@ bool open_log(const Options& options, std::optional<LogFile>& log, node::DaemonC
     return false;
   }
   LogFile& file = log.emplace(std::move(*opened));
-  config.on_record = [&file, tell = config.on_record](const journal::Record& record) {
-    tell(record);
-    const std::string news = file.append(journal::to_json(record));
-    if (!news.empty())
-      tell(journal::record_of(record.at(), record.node(), journal::lines::Notice{.text = news}));
+  config.on_record = [&file, tell = config.on_record](const journal::Record& record,
+                                                      node::LineMark mark) {
+    tell(record, mark);
+    const std::string line = journal::to_json(record);
+    if (mark.again && file.had(line)) return;
+    const std::string news = file.append(line);
+    if (!news.empty()) {
+      tell(journal::record_of(record.at(), record.node(), journal::lines::Notice{.text = news}),
+           {});
+    }
   };
   return true;
 }
@@ -169,7 +174,7 @@ Duration handshake_limit(int attempt) {
 void log(const node::DaemonConfig& config, const std::string& name,
          const std::vector<std::string>& notices) {
   for (const std::string& notice : notices)
-    config.on_record(journal::record_of({}, name, journal::lines::Notice{.text = notice}));
+    config.on_record(journal::record_of({}, name, journal::lines::Notice{.text = notice}), {});
 }
 
 /// Of a daemon that is run anew, from time to time.

@@ -5,7 +5,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <iterator>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -22,25 +25,43 @@ bool ends_within_line(int file) {
   return size > 0 && pread(file, &last, 1, size - 1) == 1 && last != '\n';
 }
 
+/// The whole lines at the end of the file; of a longer file that is not all.
+std::deque<std::string> last_lines(int file) {
+  constexpr off_t kMost = 1'000'000;  // [bytes]
+  const off_t size = lseek(file, 0, SEEK_END);
+  const off_t begin = std::max<off_t>(0, size - kMost);
+  std::string text(static_cast<std::size_t>(std::max<off_t>(0, size - begin)), '\0');
+  const ssize_t read = pread(file, text.data(), text.size(), begin);
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, read)));
+  std::deque<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(std::move(line));
+  return lines;
+}
+
 }  // namespace
 
 Result<LogFile, Failure> LogFile::open(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (file < 0) return failure(path + ": " + error_text());
-  return LogFile(path, file, ends_within_line(file));
+  LogFile log(path, file, ends_within_line(file));
+  log.before_ = last_lines(file);
+  return log;
 }
 
 LogFile::LogFile(LogFile&& other) noexcept
     : path_(std::move(other.path_)),
       file_(std::exchange(other.file_, -1)),
       torn_(other.torn_),
-      lost_(other.lost_) {}
+      lost_(other.lost_),
+      before_(std::move(other.before_)) {}
 
 LogFile& LogFile::operator=(LogFile&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(file_, other.file_);
   std::swap(torn_, other.torn_);
   std::swap(lost_, other.lost_);
+  std::swap(before_, other.before_);
   return *this;
 }
 
@@ -56,6 +77,13 @@ bool LogFile::put(std::string_view text) {
     torn_ = true;
     text.remove_prefix(static_cast<std::size_t>(written));
   }
+  return true;
+}
+
+bool LogFile::had(std::string_view line) {
+  const auto found = std::ranges::find(before_, line);
+  if (found == before_.end()) return false;
+  before_.erase(before_.begin(), std::next(found));
   return true;
 }
 

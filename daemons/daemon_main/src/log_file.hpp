@@ -2,6 +2,7 @@
 // The event log of a node as a local file.
 #pragma once
 
+#include <deque>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,10 @@ class LogFile {
   /// Appends a line, given without its end of line. Returns a notice when the state changes: the
   /// reason why lines are lost from now on, or the number of lost lines after recovery; else empty.
   std::string append(std::string_view line);
+  /// Whether this line is among the last of those that the file had when it was opened (1 MB),
+  /// behind the one of the last such question that was answered with yes. So the lines with which a
+  /// process ended that was killed are told from those that it had still to write.
+  bool had(std::string_view line);
 
  private:
   LogFile(std::string path, int file, bool torn)
@@ -33,6 +38,7 @@ class LogFile {
   int file_ = -1;
   bool torn_ = false;  ///< the file ends within a line
   std::size_t lost_ = 0;
+  std::deque<std::string> before_;  ///< the last whole lines of the file when it was opened
 };
 
 }  // namespace skein::daemon_main

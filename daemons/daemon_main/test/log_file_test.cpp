@@ -54,6 +54,22 @@ TEST_F(LogFiles, AfterAPieceOfALineItGoesOnWithAWholeOne) {
   EXPECT_EQ(content("a"), "before\ncut sh\none\n");
 }
 
+TEST_F(LogFiles, KnowsWhichLinesItHadInTheirOrder) {
+  std::ofstream(path("a")) << "one\ntwo\nof the runtime\nthree\ncut sh";
+
+  auto log = LogFile::open(path("a"));
+  ASSERT_TRUE(log.has_value());
+  EXPECT_TRUE(log->had("two"));
+  EXPECT_TRUE(log->had("three"));
+  EXPECT_FALSE(log->had("three")) << "it was there once";
+  EXPECT_FALSE(log->had("cut short"));
+  EXPECT_FALSE(log->had("one")) << "that was before";
+  log->append("four");
+
+  EXPECT_FALSE(log->had("four"));
+  EXPECT_EQ(content("a"), "one\ntwo\nof the runtime\nthree\ncut sh\nfour\n");
+}
+
 TEST_F(LogFiles, AFileThatCannotBeWrittenIsNamed) {
   const auto log = LogFile::open(path("no/such/folder"));
 

@@ -169,9 +169,10 @@ class Daemon {
       const Duration limit = config_.handshake_limit;
       if (lasts < (self_.name > name ? limit : limit + limit)) continue;
       unsent_records_.push_back(
-          journal::record_of(now().mission, self_.name,
-                             journal::lines::Notice{.text = "the handshake with " + name +
-                                                            " does not end: it takes part anew"}));
+          {journal::record_of(now().mission, self_.name,
+                              journal::lines::Notice{.text = "the handshake with " + name +
+                                                             " does not end: it takes part anew"}),
+           {}});
       flush_journal();
       return true;
     }
@@ -194,7 +195,9 @@ class Daemon {
 
   HostPorts ports() {
     HostPorts ports;
-    ports.journal = [this](const journal::Record& record) { unsent_records_.push_back(record); };
+    ports.journal = [this](const journal::Record& record, LineMark mark) {
+      unsent_records_.push_back({record, mark});
+    };
     ports.start_job = [this](StartJob job) { lane_of(job).submit(std::move(job)); };
     ports.stop_job = [this](StopJob job) {
       jobs_.stop(job.id);
@@ -282,17 +285,18 @@ class Daemon {
 
   void record_mission(const char* state) {
     unsent_records_.push_back(
-        journal::record_of(now().mission, self_.name, journal::lines::Mission{state}));
+        {journal::record_of(now().mission, self_.name, journal::lines::Mission{state}), {}});
   }
 
   // Records wait for the end of a turn: publishing one is not part of what it tells of.
   void flush_journal() {
-    for (const journal::Record& record : std::exchange(unsent_records_, {})) {
-      if (config_.on_record) config_.on_record(record);
+    for (const auto& [record, mark] : std::exchange(unsent_records_, {})) {
+      if (config_.on_record) config_.on_record(record, mark);
       if (config_.companion != nullptr) config_.companion->sees(record);
       if (!config_.world) continue;
       wire::JournalEntry entry;
       entry.record = journal::to_json(record);
+      entry.line = mark.number;
       host_->publish(entry, now());
     }
   }
@@ -310,7 +314,7 @@ class Daemon {
   JobRunner jobs_;
   std::optional<JobRunner> jobs_aside_;  ///< made for the first job of the second lane
   std::unique_ptr<Host> host_;
-  std::vector<journal::Record> unsent_records_;
+  std::vector<std::pair<journal::Record, LineMark>> unsent_records_;
   bool introduced_as_ready_ = false;
   bool clock_heard_ = false;
   MissionTime time_of_peers_;  ///< the latest, if there is no world

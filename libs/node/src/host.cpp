@@ -169,7 +169,9 @@ void Host::start(Now now, bool first_life) {
     remember(Resumed{}, now);
     log(lines::Resumed{resumed_from_->to_seconds()}, now);
     const std::uint64_t sends = sends_;  // states that are sent again are none of the node's
+    gives_out_again_ = true;
     carry_out(std::exchange(left_, {}), now);
+    gives_out_again_ = false;
     sends_ = sends;
   }
   for (auto& incoming : std::exchange(before_start_, {})) take(std::move(incoming), now);
@@ -292,7 +294,7 @@ void Host::carry_out(Effects effects, Now now) {
                           },
                           [&](Log& one) {
                             ++lines_;
-                            ports_.journal(one.record);
+                            ports_.journal(one.record, {lines_, gives_out_again_});
                           },
                           [&](StartJob& one) { ports_.start_job(std::move(one)); },
                           [&](StopJob& one) {

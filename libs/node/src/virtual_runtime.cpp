@@ -136,7 +136,7 @@ class VirtualRun {
 
   HostPorts ports_of(const Seat& seat) {
     HostPorts ports;
-    ports.journal = journal_;
+    ports.journal = [this](const journal::Record& record, LineMark) { journal_(record); };
     ports.finish = [this] { finish(); };
     if (config_.silent_cuts) {
       ports.witness = [this](const wire::Sample& sample) {

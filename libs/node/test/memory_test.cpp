@@ -20,6 +20,7 @@ using testing::abort_request;
 using testing::at;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Pair;
 
 constexpr NodeNumber kGround(1);
 constexpr NodeNumber kUav(10);
@@ -93,6 +94,7 @@ class Caller final : public Node {
 struct Played {
   std::vector<std::uint64_t> answers;
   std::vector<std::string> lines, notices;
+  std::vector<std::pair<std::uint64_t, bool>> marks;  ///< of the lines: number, again
 
   void see(const Record& record) {
     if (record.kind() == "notice") notices.emplace_back(record.text("text"));
@@ -258,7 +260,10 @@ class AHost : public ::testing::Test {
     HostConfig config;
     config.memory = memory;
     HostPorts ports;
-    ports.journal = [&played](const Record& record) { played.see(record); };
+    ports.journal = [&played](const Record& record, LineMark mark) {
+      played.see(record);
+      if (record.kind() == "line") played.marks.emplace_back(mark.number, mark.again);
+    };
     ports.start_job = [](const StartJob&) {};
     ports.finish = [] {};
     auto host = Host::open(roster_, *roster_.find(name), std::move(node), transport, config, ports);
@@ -307,6 +312,48 @@ TEST_F(AHost, KilledBetweenKeepingAndDoingDoesItInItsNextLife) {
     EXPECT_THAT(at_ground.answers, ElementsAre(1001, 1002, 1003, 1004)) << inputs;
     EXPECT_THAT(at_uav.lines, ElementsAre("got 1", "got 2", "got 3", "got 4")) << inputs;
   }
+}
+
+// Keeps everything but that lines have left, when the power goes instead.
+class UntilLinesLeft final : public InputLog {
+ public:
+  explicit UntilLinesLeft(std::uint64_t lines) : lines_(lines) {}
+  Result<void, Failure> append(const LogEntry& entry) override { return kept.append(entry); }
+  void told(std::uint64_t lines) override {
+    if (lines == lines_) throw PowerIsGone{};
+    kept.told(lines);
+  }
+  Result<void, Failure> recall(const Take& take) const override { return kept.recall(take); }
+  std::uint64_t lines_told() const override { return kept.lines_told(); }
+
+  MemoryInputLog kept;
+
+ private:
+  std::uint64_t lines_;
+};
+
+TEST_F(AHost, KilledBetweenGivingALineOutAndNotingItGivesItOutAgainWithItsNumber) {
+  blackboard::MemoryHub hub;
+  blackboard::MemoryTransport ground_side(hub);
+  Played at_ground, at_uav;
+  UntilLinesLeft memory(2);
+  auto ground = open("ground", std::make_unique<Caller>(std::vector<double>{1, 1.5, 2}),
+                     ground_side, nullptr, at_ground);
+  {
+    blackboard::MemoryTransport uav_side(hub);
+    auto uav = open("uav", std::make_unique<Counter>(kGround), uav_side, &memory, at_uav);
+    ground->start(now());
+    uav->start(now());
+    EXPECT_THROW(settle(*uav, *ground), PowerIsGone);
+  }
+  blackboard::MemoryTransport uav_side(hub);
+  auto uav = open("uav", std::make_unique<Counter>(kGround), uav_side, &memory.kept, at_uav);
+  uav->start(now());
+  settle(*uav, *ground);
+
+  EXPECT_THAT(at_uav.lines, ElementsAre("got 1", "got 2", "got 2", "got 3"));
+  EXPECT_THAT(at_uav.marks,
+              ElementsAre(Pair(1, false), Pair(2, false), Pair(2, true), Pair(3, false)));
 }
 
 // Keeps nothing, and has something to say of it twice.

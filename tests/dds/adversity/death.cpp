@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process that dies in the moment after it wrote: preloaded (LD_PRELOAD), it counts what is
-// written to the write-ahead log of SQLite, and after the write of that number (ADVERSITY_DEATH)
-// the process kills itself, before what it wrote has any consequence. Without the variable nothing
-// is changed.
+// A process that dies as it writes: preloaded (LD_PRELOAD), it counts what is written to the
+// write-ahead log of SQLite, and kills itself after the write of that number (ADVERSITY_DEATH),
+// before what it wrote has any consequence, or, of a negative number, instead of that write.
+// Without the variable nothing is changed.
 #include <dlfcn.h>
 #include <limits.h>
 #include <sys/types.h>
@@ -32,10 +32,13 @@ long last_write() {
   return number;
 }
 
-void count(int descriptor) {
+/// Dies before the write if that is to be its end; true if it is to be after it.
+bool is_last(int descriptor) {
   static std::atomic<long> writes{0};
-  if (last_write() == 0 || !is_log(descriptor)) return;
-  if (++writes == last_write()) raise(SIGKILL);
+  if (last_write() == 0 || !is_log(descriptor)) return false;
+  const long number = ++writes;
+  if (number == -last_write()) raise(SIGKILL);
+  return number == last_write();
 }
 
 }  // namespace
@@ -43,7 +46,8 @@ void count(int descriptor) {
 extern "C" ssize_t pwrite64(int descriptor, const void* bytes, size_t size, off64_t at) {
   using Function = ssize_t (*)(int, const void*, size_t, off64_t);
   static const auto real = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "pwrite64"));  // NOLINT
+  const bool last = is_last(descriptor);
   const ssize_t written = real(descriptor, bytes, size, at);
-  count(descriptor);
+  if (last) raise(SIGKILL);
   return written;
 }

@@ -62,7 +62,7 @@ class Hosts : public ::testing::Test {
     config.told = told;
     config.world = world;
     HostPorts ports;
-    ports.journal = [&it](const Record& record) { it.records.push_back(record); };
+    ports.journal = [&it](const Record& record, LineMark) { it.records.push_back(record); };
     ports.start_job = [&it](StartJob job) { it.jobs.push_back(std::move(job)); };
     ports.finish = [&it] { ++it.finishes; };
     ports.world = [&it](const wire::Sample& sample) { it.world.push_back(sample); };

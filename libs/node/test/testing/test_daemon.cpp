@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
   config.leads_clock = name == "sim";
   if (config.leads_clock) config.awaited = {"ground", "sim", "a"};
   config.time_limit = MissionTime::seconds(60);
-  config.on_record = [&](const skein::journal::Record& record) {
+  config.on_record = [&](const skein::journal::Record& record, skein::node::LineMark) {
     file << to_json(record) << "\n" << std::flush;
   };
   const MissionTime finish = MissionTime::seconds(std::strtod(argv[3], nullptr));

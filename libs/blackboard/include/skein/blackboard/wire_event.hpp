@@ -377,8 +377,9 @@ SKEIN_WIRE_FIELDS(OperatorReply, header, who, number, accepted, complete, proble
 struct JournalEntry {
   SampleHeader header;
   std::string record;  ///< one JSON object, without newline
+  std::uint64_t line = 0;  ///< from 1, the same when it is given out again; 0: never again
   bool operator==(const JournalEntry&) const = default;
 };
-SKEIN_WIRE_FIELDS(JournalEntry, header, record)
+SKEIN_WIRE_FIELDS(JournalEntry, header, record, line)
 
 }  // namespace skein::wire

@@ -40,7 +40,7 @@ struct DaemonConfig {
   bool forgets = false;  ///< see HostConfig
   /// Receive every record of this node (which is also sent to the runner over the world channel),
   /// and the lines of the middleware's log. May be empty.
-  std::function<void(const journal::Record&)> on_record;
+  std::function<void(const journal::Record&, LineMark)> on_record;
   std::function<void(const std::string&)> on_middleware_log;
   /// Called after every turn of the daemon's loop, several times a second, the first time when the
   /// daemon has joined the domain. For a service manager. May be empty.

@@ -78,9 +78,17 @@ struct OpenFailure {
   bool of_memory = false;
 };
 
+/// Which line of a node's event log a record is.
+struct LineMark {
+  /// From 1, over all lives of one incarnation: what is given out again has the number it had.
+  /// 0: not of the node but of its host, which is never given out again.
+  std::uint64_t number = 0;
+  bool again = false;  ///< a former life may have given it out too
+};
+
 /// Callbacks for a host's output. All are called from step(), in the order of the effects.
 struct HostPorts {
-  std::function<void(const journal::Record&)> journal;
+  std::function<void(const journal::Record&, LineMark)> journal;
   std::function<void(StartJob)> start_job;
   std::function<void(StopJob)> stop_job;  ///< may be empty
   std::function<void()> finish;
@@ -171,7 +179,7 @@ class Host {
   /// A line of the event log (skein/journal/lines/).
   template <class Line>
   void log(Line line, blackboard::Now now) const {
-    ports_.journal(journal::record_of(now.mission, self_.name, std::move(line)));
+    ports_.journal(journal::record_of(now.mission, self_.name, std::move(line)), {});
   }
 
   const Roster roster_;
@@ -191,6 +199,7 @@ class Host {
   Effects left_;                         ///< to be done by former lives
   std::uint64_t said_ = 0;               ///< by members in this process, in this life
   std::uint64_t lines_ = 0, sends_ = 0;  ///< of the node, in all its lives
+  bool gives_out_again_ = false;         ///< what a former life may have given out
   struct Unsettled {
     std::uint64_t noted = 0;  ///< as last remembered
     std::uint64_t last = 0;   ///< that was sent
