@@ -292,7 +292,10 @@ bool Session::is_active() const {
   return joined_ && !moved_ && (!outcome_ || outcome_->kind == Kind::kUndecided);
 }
 
+// Who opens it invites the others with its offer, which it prepares at once: without, each would
+// be told twice.
 void Session::send(MissionTime now, NegotiationEffects& out) {
+  if (terms_.opener == terms_.members[self_] && wants_offer()) return;
   const auto owed = telling_.take_owed(facts_.bits(), now);
   for (const std::size_t one : owed) send_to(one, false, now, out);
 }

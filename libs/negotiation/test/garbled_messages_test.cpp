@@ -134,8 +134,8 @@ TEST(GarbledMessages, WhateverPartnersSayItEndsOnceAndWhatIsRejectedChangesNothi
       return effects.value_or(NegotiationEffects{});
     };
     SessionMessage said;
-    const auto opened = partner.handle(begin_roles(3), second(1));
-    for (const auto& effect : *opened)
+    for (const auto& effect :
+         testing::open_session(partner, begin_roles(3), testing::role_costs(1), second(1)))
       if (const auto* send = std::get_if<SendSessionMessage>(&effect)) said = send->message;
     give(SessionMessageReceived{said}, 1);
     give(begin_roles(3), 1);

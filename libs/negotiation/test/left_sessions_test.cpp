@@ -21,13 +21,20 @@ std::vector<SessionMessage> said_of(const std::string& opener, const Negotiation
   return all;
 }
 
+/// What it says when it opens one.
+std::vector<SessionMessage> opened_by(const std::string& uav, NegotiationManager& manager,
+                                      int instant) {
+  return said_of(
+      uav, testing::open_session(manager, begin_roles(2), testing::role_costs(0), second(instant)));
+}
+
 // b opens one, and then hears of one that a opened earlier: it goes over. Were a not told, it would
 // take b's, which it may know from before, for an invitation once its own has failed.
 TEST(ALeftSession, IsSaidToBeLeftToTheOpenerOfTheEarlierOne) {
   NegotiationManager a("a", 1, standard_modalities(), {}, MissionTime());
   NegotiationManager b("b", 1, standard_modalities(), {}, MissionTime());
   ASSERT_TRUE(b.handle(begin_roles(2), second(2)));
-  const auto invited = said_of("a", a.handle(begin_roles(2), second(1)).value());
+  const auto invited = opened_by("a", a, 1);
   ASSERT_FALSE(invited.empty());
 
   const auto left = said_of("b", b.handle(SessionMessageReceived{invited[0]}, second(2)).value());
@@ -40,8 +47,8 @@ TEST(ALeftSession, IsSaidToBeLeftToTheOpenerOfTheEarlierOne) {
 TEST(ALeftSession, IsRefusedByWhoIsInALaterOneSince) {
   NegotiationManager a("a", 1, standard_modalities(), {}, MissionTime());
   NegotiationManager b("b", 1, standard_modalities(), {}, MissionTime());
-  const auto of_b = said_of("b", b.handle(begin_roles(2), second(2)).value());
-  const auto of_a = said_of("a", a.handle(begin_roles(2), second(1)).value());
+  const auto of_b = opened_by("b", b, 2);
+  const auto of_a = opened_by("a", a, 1);
   ASSERT_TRUE(b.handle(SessionMessageReceived{of_a[0]}, second(2)));
   ASSERT_TRUE(b.handle(WithdrawNegotiation{"mref/roles", "no time"}, second(3)));
   ASSERT_TRUE(b.handle(begin_roles(2), second(4)));

@@ -72,7 +72,7 @@ TEST(LongResults, ThatAreNotThereWhenHalfTheTimeIsOverFail) {
   team.run_until(at(20));
 
   ASSERT_EQ(team.ends().size(), 2U);
-  EXPECT_EQ(team.ends().at(0).why, "a: half the time is over without a promise of a, b");
+  EXPECT_EQ(team.ends().at(0).why, "a: half the time is over without a promise of a");
   EXPECT_EQ(team.ends().at(1).kind, Kind::kFailed);
   EXPECT_EQ(team.outcomes().breaks(), "");
 }

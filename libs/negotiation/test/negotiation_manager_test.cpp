@@ -31,7 +31,7 @@ std::string kinds(Team& team) {
   return text;
 }
 
-TEST(NegotiationManager, TwoAgreeInSixMessages) {
+TEST(NegotiationManager, TwoAgreeInFiveMessages) {
   Team team(2, tenth());
   team.begin_when_invited(1, begin_roles(2));
   team.begin(0, begin_roles(2));
@@ -42,8 +42,20 @@ TEST(NegotiationManager, TwoAgreeInSixMessages) {
   const Rows expected{{"a", "watch", {10}}, {"b", "relay", {11}}};
   EXPECT_EQ(team.ends().at(0).result, expected);
   EXPECT_EQ(team.ends().at(1).result, expected);
-  EXPECT_EQ(team.sent(), 6U);
+  EXPECT_EQ(team.sent(), 5U);
   EXPECT_EQ(team.outcomes().breaks(), "");
+}
+
+// What they are invited with says the opener's offer too.
+TEST(NegotiationManager, OpenedByWhoDoesNotDecideItTakesNoMoreMessages) {
+  Team team(2, tenth());
+  team.begin_when_invited(0, begin_roles(2));
+  team.begin(1, begin_roles(2));
+
+  team.run_until(at(20));
+
+  EXPECT_EQ(kinds(team), "a agreed. b agreed. ");
+  EXPECT_EQ(team.sent(), 6U);
 }
 
 TEST(NegotiationManager, WhoeverOpensTheResultIsOne) {
@@ -178,9 +190,9 @@ TEST(NegotiationManager, AWithdrawalBeforeThePromiseFailsEverywhere) {
   team.set_job_time(Duration::seconds(3));
   team.begin_when_invited(1, begin_roles(2));
   team.begin(0, begin_roles(2));
-  team.at(at(1), [&] { team.give(1, WithdrawNegotiation{"mref/roles", "the operator says so"}); });
+  team.at(at(4), [&] { team.give(1, WithdrawNegotiation{"mref/roles", "the operator says so"}); });
 
-  team.run_until(at(2));
+  team.run_until(at(5));
 
   EXPECT_EQ(kinds(team), "a failed. b failed. ");
   EXPECT_EQ(team.ends().at(0).why, "b: the operator says so");
@@ -194,7 +206,7 @@ TEST(NegotiationManager, WhatWasPromisedCannotBeTakenBack) {
   });
   team.begin_when_invited(1, begin_roles(2));
   team.begin(0, begin_roles(2));
-  team.at(at(0.35), [&] {
+  team.at(at(0.15), [&] {
     cut = true;
     team.give(1, WithdrawNegotiation{"mref/roles", "no"});
   });
@@ -213,7 +225,7 @@ TEST(NegotiationManager, WhoHeardNothingAfterItsPromiseIsUndecidedUntilItHears) 
   });
   team.begin_when_invited(1, begin_roles(2));
   team.begin(0, begin_roles(2));
-  team.at(at(0.35), [&] { cut = true; });
+  team.at(at(0.15), [&] { cut = true; });
   team.run_until(at(30));
 
   EXPECT_EQ(kinds(team), "a agreed. b undecided. ");
@@ -316,10 +328,8 @@ TEST(NegotiationManager, WhatTimeDidIsToldEvenIfTheInputIsRefused) {
 
 /// A message of b to a about a session that b opened.
 SessionMessage message_of_b() {
-  BeginNegotiation begin = begin_roles(2);
   NegotiationManager b("b", 1, standard_modalities(), {}, MissionTime());
-  const auto effects = b.handle(begin, at(1));
-  for (const auto& one : *effects) {
+  for (const auto& one : testing::open_session(b, begin_roles(2), testing::role_costs(1), at(1))) {
     if (const auto* send = std::get_if<SendSessionMessage>(&one)) return send->message;
   }
   ADD_FAILURE() << "nothing sent";
@@ -361,7 +371,10 @@ INSTANTIATE_TEST_SUITE_P(
         Nonsense{"it has not one entry for each member", [](auto& m) { m.entries.pop_back(); }},
         Nonsense{"it speaks of 'q', not of b", [](auto& m) { m.entries[1].uav = "q"; }},
         Nonsense{"b promised without an offer",
-                 [](auto& m) { m.entries[1].vow = Entry::Vow::kPromised; }},
+                 [](auto& m) {
+                   m.entries[1].offered = false;
+                   m.entries[1].vow = Entry::Vow::kPromised;
+                 }},
         Nonsense{"a figure of the offer of b is not finite",
                  [](auto& m) {
                    m.entries[1].offered = true;
@@ -382,7 +395,7 @@ TEST(NegotiationManager, AMemberThatAnswersNonsenseIsRefusedWithTheReason) {
   team.begin_when_invited(1, begin_roles(2));
   team.set_job_time(Duration::seconds(1));
   team.begin(0, begin_roles(2));
-  team.at(at(0.5), [&] {
+  team.at(at(1.5), [&] {
     SessionMessage lie;
     lie.from = "b";
     lie.terms = {"mref/roles",

@@ -74,6 +74,14 @@ inline Rows role_costs(std::size_t member) {
   return {{"watch", "", {10.0 + 3.0 * static_cast<double>(member)}}, {"relay", "", {11.0}}};
 }
 
+/// What a member says that opens a session, and offers at once.
+inline NegotiationEffects open_session(NegotiationManager& manager, const BeginNegotiation& begin,
+                                       Rows offer, MissionTime now) {
+  const NegotiationEffects asked = manager.handle(begin, now).value();
+  const SessionId session = std::get<PrepareOffer>(asked.at(0)).terms.id();
+  return manager.handle(OfferPrepared{session, std::move(offer)}, now).value();
+}
+
 /// What came out where; says when a law of negotiation is broken.
 class Outcomes {
  public:

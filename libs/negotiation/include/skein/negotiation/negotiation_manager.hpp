@@ -73,7 +73,8 @@ struct SendSessionMessage {
 struct InvitedToNegotiate {
   Terms terms;
 };
-/// Compute this UAV's offer, and return it as OfferPrepared.
+/// Compute this UAV's offer, and return it as OfferPrepared, at once: who opens a session invites
+/// the others with it, and without it not before a message would be repeated.
 struct PrepareOffer {
   Terms terms;
 };
