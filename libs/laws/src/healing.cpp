@@ -201,6 +201,7 @@ class Judge {
     return until < end_ && !changes(channel) && !changes(reversed(channel));
   }
 
+  /// They come one after the other: what waits for one before it is not under way yet.
   void judge_end(const Channel& channel, const std::map<std::uint64_t, Message>& messages) {
     if (mortal_.contains(channel.first) || mortal_.contains(channel.second)) return;
     MissionTime last = end_ - limits_.healing;
@@ -209,9 +210,12 @@ class Judge {
       if (!keeps_a_way(channel, last) || !keeps_a_way(reversed(channel), last)) return;
     }
     MissionTime sent_by = last;
+    std::map<bool, MissionTime> settled;  // the one before it, of long ones and of others
     for (const auto& [sequence, message] : messages) {
+      MissionTime& before = settled[sequence >= kFirstLong];
+      before = std::max(before, message.settled.value_or(MissionTime()));
       if (message.settled) continue;
-      if (message.sent < sent_by)
+      if (std::max(message.sent, before) < sent_by)
         breach(end_, to_text(channel) + ": " + message.slot + " " + std::to_string(sequence) +
                          " of " + skein::to_text(message.sent) +
                          " s never came, and nobody said why");

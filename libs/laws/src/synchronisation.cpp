@@ -173,6 +173,19 @@ double on_the_air(const History& history, std::uint64_t arcs) {
   return 8.0 * words * bytes / scenario::narrowest(radio).value_or(kNever);
 }
 
+/// [s] On the narrowest link, for the events that go before what is said of a plan: those of so
+/// long after `since`, and a few that wait then; no longer than for what is usual anyway.
+double events_before(const History& history, const Uav& uav, const std::string& other, double since,
+                     double within) {
+  constexpr double kWaiting = 2;  // [s]
+  const auto sent = uav.events_to.find(other);
+  if (sent == uav.events_to.end()) return 0;
+  const auto events = std::ranges::count_if(
+      sent->second, [&](double at) { return at > since - kWaiting && at < since + within; });
+  const Duration each = airtime_of_an_event(history.scenario->radio);
+  return std::min(static_cast<double>(events) * each.to_seconds(), on_the_air(history, 0) / 2);
+}
+
 /// [s] On a narrow link that loses parts of it: until each was said again, or asked for, as often
 /// as may be.
 double said_again(const scenario::Scenario& scenario) {
@@ -193,7 +206,7 @@ std::vector<Violation> plan_words_unheard(const History& history) {
   const double again = said_again(*history.scenario);
   for (const auto& [name, uav] : history.uavs) {
     for (auto word = uav.plan_words.begin(); word != uav.plan_words.end(); ++word) {
-      const double within = 1 + on_the_air(history, word->arcs) + again + history.late;  // [s]
+      const double alone = 1 + on_the_air(history, word->arcs) + again + history.late;  // [s]
       const auto hearer = history.uavs.find(word->other);
       const bool died = history.dead.contains(name) || history.dead.contains(word->other);
       if (!word->sent || died || hearer == history.uavs.end()) continue;
@@ -206,7 +219,10 @@ std::vector<Violation> plan_words_unheard(const History& history) {
         return !one.sent && one.other == name && one.at >= word->at - history.late;
       });
       const double by = first == heard.end() ? until : std::min(first->at, until);
-      const auto since = reached(history, name, word->other, word->at, by, within);
+      auto since = reached(history, name, word->other, word->at, by, alone);
+      const double within =
+          alone + (since ? events_before(history, uav, word->other, *since, alone) : 0);
+      if (since) since = reached(history, name, word->other, *since, by, within);
       if (since)
         result.push_back({"", *since + within, word->other, 0,
                           "what " + name + " said of its plan at " + figure(word->at) +

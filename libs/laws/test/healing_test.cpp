@@ -223,6 +223,19 @@ TEST(Events, MayExpireOrBeGivenUpIfThatIsTold) {
               IsEmpty());
 }
 
+TEST(Events, ThatWaitForOneBeforeThemAreNotMissedYet) {
+  const auto after_one_received_at = [](double at) {
+    return Log()
+        .cut(0, true)
+        .message(60, "sent", 1)
+        .message(at, "received", 1)
+        .message(92, "sent", 2)
+        .breaches();
+  };
+  EXPECT_THAT(after_one_received_at(98), IsEmpty());
+  EXPECT_THAT(after_one_received_at(93), ElementsAre(HasSubstr("TaskEvent 2 of 92 s never came")));
+}
+
 TEST(Events, OfTheLastMomentOrToTheDeadAreNotMissed) {
   EXPECT_THAT(Log().cut(0, true).message(99, "sent", 1).breaches(), IsEmpty());
   EXPECT_THAT(Log().cut(0, true).message(12, "sent", 1).cut(50).breaches(), IsEmpty())

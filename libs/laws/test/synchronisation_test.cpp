@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/journal/lines/radio.hpp"
 #include "testing/story.hpp"
 
 namespace skein::laws::testing {
@@ -133,6 +134,28 @@ TEST(HealedLaw, OnANarrowChannelAWordTakesItsTime) {
 
   EXPECT_THAT(heard.broken("healed"), IsEmpty());
   EXPECT_THAT(unheard.broken("healed"), SizeIs(1));
+}
+
+// Found by random missions (985020, 986017: two negotiations in the seconds after a plan).
+TEST(HealedLaw, OnANarrowChannelEventsGoBeforeAWord) {
+  const auto heard_after = [](double seconds, int events) {
+    Story story = parted(20, 50);
+    story.capacity(9'600).plan_word("marvin", "heliv", 30, 50 + seconds);
+    for (int i = 0; i < events; ++i)
+      story.line(
+          journal::record_of(MissionTime::seconds(50.5 + 0.5 * i), "marvin",
+                             journal::lines::Message{.slot = "NegotiationMessage",
+                                                     .from = "marvin",
+                                                     .to = "heliv",
+                                                     .sequence = static_cast<std::uint64_t>(i + 1),
+                                                     .direction = "sent"}));
+    return story.broken("healed");
+  };
+
+  EXPECT_THAT(heard_after(5, 0), IsEmpty());
+  EXPECT_THAT(heard_after(5.7, 0), SizeIs(1));
+  EXPECT_THAT(heard_after(5.7, 3), IsEmpty());
+  EXPECT_THAT(heard_after(7.5, 9), SizeIs(1)) << "however many";
 }
 
 TEST(HealedLaw, AGreatNetworkTakesLongerThanASmallOne) {

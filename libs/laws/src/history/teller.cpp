@@ -151,6 +151,9 @@ class WorldTeller {
   void hear(const lines::Operator& line, const Written& when) { done(operators_, line.does, when); }
 
   void hear(const lines::Message& line, const Written& when) {
+    if (const auto from = history_.uavs.find(line.from);
+        from != history_.uavs.end() && line.direction == "sent")
+      from->second.events_to[line.to].push_back(seconds(when));
     if (line.slot != "WorldChange" || line.direction != "received") return;
     const auto found = history_.uavs.find(line.to);
     std::deque<Told>& told = told_[line.to];

@@ -172,6 +172,7 @@ struct Uav {
   std::vector<Foretold> foretold;
   std::vector<PlanWord> plan_words;
   std::vector<Answer> answers;
+  std::map<std::string, std::vector<double>> events_to;  ///< by receiver, when each was sent
 
   const std::string& name() const { return spec->name; }
   int degree(double at) const;
