@@ -85,7 +85,8 @@ bool is_seen_by_sensors(const interaction::ActiveScm& scm, const Outlook& outloo
 }
 
 // A place is one to stay at: what the vehicle wavers, and what a place that sensors follow is
-// mistaken by and moves in a while, is to break no constraint.
+// mistaken by and moves in a while, is to break no constraint. Where a UAV was heard to be last is
+// better than nothing, when what it said since was lost.
 interaction::ScmLimits limits_of(const std::vector<interaction::ActiveScm>& scms,
                                  const Outlook& outlook) {
   constexpr double kNearest = 20;  // [m] of what is looked at
@@ -98,6 +99,7 @@ interaction::ScmLimits limits_of(const std::vector<interaction::ActiveScm>& scms
       (seen ? kSeen : 0) + 1.5 * (2 * world::tracking_spread(vehicle) +
                                   vehicle.wind_drift * (wind.speed + 2 * wind.gusts));
   interaction::ScmLimits limits;
+  limits.oldest = limits.oldest_seen;
   limits.distance = std::max(limits.distance, wavers);
   limits.angle = std::max(limits.angle, wavers / kNearest);
   return limits;

@@ -382,6 +382,33 @@ TEST(PlaceOf, KeepsWhatAnScmSaysOfPlacesThatAreKnownBesideOneThatIsNot) {
   EXPECT_LT(std::hypot((*place)[0] - 100, (*place)[1], (*place)[2]), 60);
 }
 
+// Found when a joint task was agreed on a second sooner (mref/nominal): what the partner said of
+// where it is had been lost, and it was sent to where that hovered.
+TEST(PlaceOf, KeepsAwayFromWhereAUavWasHeardToBeLast) {
+  const Flat flat;
+  const auto beside_heliv_heard = [&](double seconds_ago) {
+    Outlook outlook = flat.outlook();
+    outlook.now = MissionTime::seconds(60);
+    outlook.observer = [&](const std::string&) -> std::optional<interaction::Sighting> {
+      return interaction::Sighting{{0, 0, 40}, outlook.now - Duration::seconds(seconds_ago)};
+    };
+    interaction::SpatialConstraint far;
+    far.of = {"other"};
+    far.relation = interaction::Relation::kGreater;
+    far.than = interaction::Term(20.0);
+    const interaction::Scm apart{"apart", {{"other"}}, {far}};
+    interaction::ScmBinding binding;
+    binding.places = {{"other", {"heliv"}}};
+    const auto place = place_of(
+        {call_of("valid-position()"), {}, {0, 0, 40}, "", {{"mcs1", apart, binding}}}, outlook);
+    return std::hypot((*place)[0], (*place)[1], (*place)[2] - 40);
+  };
+
+  EXPECT_GT(beside_heliv_heard(1), 20);
+  EXPECT_GT(beside_heliv_heard(10), 20);
+  EXPECT_LT(beside_heliv_heard(60), 20) << "it may be anywhere";
+}
+
 TEST(CallOf, TakesAnInitialiserApart) {
   EXPECT_EQ(call_of("best-view(front, center)").function, "best-view");
   EXPECT_THAT(call_of("best-view(front, center)").arguments, ElementsAre("front", "center"));
