@@ -17,6 +17,7 @@ constexpr double kNear = 10;  // [m] a bend is taken within it, or half of what 
 /// Who cannot hover turns back to a way-point that it missed: so much it keeps behind, of what it
 /// takes around a bend.
 constexpr double kTurnsBack = 4;
+constexpr double kAlmost = 1 - 1e-6;
 constexpr double kLevel = 0.5;  // [m] of height that a level piece may gain, or the reverse
 
 bool is_upright(const Vector3& from, const Vector3& to) {
@@ -35,6 +36,17 @@ std::vector<Vector3> stretched(const std::vector<Vector3>& points, double longes
     for (double n = 1; n <= pieces; ++n) result.push_back(from + n / pieces * along);
   }
   return result;
+}
+
+/// The first as far off as may be: who cannot hover leaves its circle in any direction, and would
+/// turn back to one that is nearer, and come to the next from elsewhere than the way does.
+std::vector<Vector3> stretched_from_rest(const std::vector<Vector3>& points, double longest) {
+  std::vector<Vector3> corners = points;
+  const Vector3 along = points[1] - points[0];
+  const double length = along.head<2>().norm();
+  if (length > longest)
+    corners.insert(corners.begin() + 1, points[0] + kAlmost * longest / length * along);
+  return stretched(corners, longest);
 }
 
 bool slopes(const Vector3& from, const Vector3& to) { return std::abs(from.z() - to.z()) > kLevel; }
@@ -89,9 +101,11 @@ Way::Way(const std::vector<Vector3>& points, const Margins& margins, bool from_r
   const std::size_t narrow = from_rest ? leaves_narrowly(corners, margins) : 0;
   points_ = stretched(corners, margins.stretch);
   const bool steered = margins.steered > margins.stretch;
-  way_points_ = !hovers_  ? stretched(points, margins.steered)
-                : steered ? steered_along(points, margins)
-                          : points_;
+  if (!hovers_)
+    way_points_ = from_rest ? stretched_from_rest(points, margins.steered)
+                            : stretched(points, margins.steered);
+  else
+    way_points_ = steered ? steered_along(points, margins) : points_;
   const auto is_lower = [](const Vector3& a, const Vector3& b) { return a.z() < b.z(); };
   const auto [lowest, highest] = std::minmax_element(points_.begin(), points_.end(), is_lower);
   // Whatever it has not reached yet, it is no lower and no higher than the way anywhere is.

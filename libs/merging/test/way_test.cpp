@@ -64,7 +64,7 @@ TEST(Way, OfOneThatCannotHoverHasNoWayPointsTooNearForItsTurns) {
   const std::vector<Vector3> pattern{{0, 0, 40}, {55, 0, 40}, {55, 60, 40}, {0, 99, 60}};
   EXPECT_EQ(Way(pattern, margins).way_points(), pattern);
 
-  const std::vector<Vector3> points = Way({{0, 0, 40}, {0, 110, 60}}, margins).way_points();
+  const std::vector<Vector3> points = Way({{0, 0, 40}, {0, 110, 60}}, margins, false).way_points();
   EXPECT_EQ(points, (std::vector<Vector3>{{0, 0, 40}, {0, 55, 50}, {0, 110, 60}}));
 }
 
@@ -115,6 +115,24 @@ TEST(Way, TakesMoreHeightWhereItRisesAndBesideThat) {
   EXPECT_EQ(way.volumes()[2].ceiling, 66);
   EXPECT_EQ(way.volumes()[3].ceiling, 66);
   EXPECT_EQ(way.volumes()[4].ceiling, 62);
+}
+
+// Found by random missions (--anything --clean 993004): halfway to its first lane, it turned back
+// to a point between, came into the lane from the side, and saw 97 % of a zone.
+TEST(Way, OfOneThatCannotHoverHasNoWayPointNearWhereItLeavesItsCircle) {
+  world::VehicleModel plane;
+  plane.hovers = false;
+  plane.min_turn_radius = 35;
+  plane.orbit_radius = 60;
+  const Margins margins = margins_of(plane, {}, 15);
+  for (const double length : {143, 250, 300, 700}) {
+    const std::vector<Vector3> points = Way({{0, 0, 58}, {length, 0, 58}}, margins).way_points();
+    EXPECT_GT(points[1].x(), 0.99 * margins.steered);
+    for (std::size_t i = 1; i < points.size(); ++i)
+      EXPECT_LE((points[i] - points[i - 1]).norm(), margins.steered);
+  }
+  const Way on({{0, 0, 58}, {143, 0, 58}}, margins, false);
+  EXPECT_DOUBLE_EQ(on.way_points()[1].x(), 71.5) << "it flies along it already";
 }
 
 // A plane that was to sink by 1.3 m out of closed air asked for 65 m below it, and circled in
