@@ -27,6 +27,14 @@ Vector3 over_home(const supervisor::Knowledge& knowledge) {
   return knowledge.home + Vector3(0, 0, knowledge.altitude);
 }
 
+/// It searches or maps a zone, which is done from the air.
+bool looks_over_zone(const mission::HighLevelTask& task, const mission::Vocabulary& vocabulary) {
+  const auto signature = vocabulary.tasks.find(task.name);
+  if (signature == vocabulary.tasks.end() || signature->second.uses.empty()) return false;
+  const auto& kinds = signature->second.parameters;
+  return std::find(kinds.begin(), kinds.end(), mission::ParameterKind::kZone) != kinds.end();
+}
+
 }  // namespace
 
 std::string lacks_now(const interaction::Requirements& needs, const world::VehicleModel& vehicle,
@@ -127,6 +135,8 @@ std::optional<std::string> TeamCraft::objection(const auction::Task& task) const
     const auto lacks = lacks_now(needs->second, at_.knowledge->vehicle, at_.telemetry);
     if (!lacks.empty()) return lacks;
   }
+  if (at_.knowledge->vehicle.ground && looks_over_zone(order->second, at_.knowledge->vocabulary))
+    return "it keeps to the ground, and looks over no zone";
   const world::VehicleModel vehicle = as_it_is(at_.knowledge->vehicle, at_.telemetry);
   mission::Surroundings around;
   for (const auto& [name, place] : at_.world->places) around.places.push_back(name);

@@ -162,6 +162,28 @@ TEST(TeamCraft, ItObjectsToWhatItHasNoDeviceFor) {
   EXPECT_THAT(TeamCraft(at).objection(task(1)).value_or(""), HasSubstr("sight"));
 }
 
+// Found by random missions (--anything --clean 1002013): a robot was sold the search of a zone, and
+// put it back eleven minutes later, when it came to it.
+TEST(TeamCraft, WhoKeepsToTheGroundObjectsToWhatLooksOverZones) {
+  using mission::ParameterKind;
+  const auto objection = [](bool ground, const std::vector<std::string>& uses) {
+    Vantage at = vantage();
+    auto knowledge = std::make_shared<supervisor::Knowledge>(*at.knowledge);
+    if (ground) knowledge->vehicle.ground.emplace();
+    knowledge->vocabulary.tasks["search"] = {"search", {ParameterKind::kZone}, uses};
+    at.knowledge = knowledge;
+    auto world = std::make_shared<world::World>(*at.world);
+    world->zones.push_back({"Z1", {{0, 0}, {100, 0}, {100, 100}}});
+    at.world = world;
+    at.tasks.at(TaskNumber(1)).name = "search";
+    at.tasks.at(TaskNumber(1)).arguments = {std::string("Z1")};
+    return TeamCraft(at).objection(task(1)).value_or("");
+  };
+  EXPECT_EQ(objection(true, {"sight"}), "it keeps to the ground, and looks over no zone");
+  EXPECT_EQ(objection(false, {"sight"}), "");
+  EXPECT_EQ(objection(true, {}), "") << "it may take a part in what others do there";
+}
+
 TEST(TeamCraft, ItObjectsToWhatItTriedToWhatItWasNotToldAndToUnknownPlaces) {
   Vantage at = vantage();
   at.failed[TaskNumber(1)] = "no way there";
