@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A wait for orders that the vehicle was stopped in to make room.
+// A wait for orders or partners that the vehicle was stopped in to make room.
 #pragma once
 
 #include <optional>

@@ -31,13 +31,23 @@ bool waits_safely(Core& core, const executive::TaskStatus& task) {
          core.deliberation().origin_of(task.id) == mission::GoalId();
 }
 
-/// Of the plan, until orders come: wherever it is.
-bool waits_for_orders(Core& core, const executive::TaskStatus& task) {
+/// A meeting ends it, as soon as the partners have come.
+bool ends_with_meeting(const mission::ElementaryTask& wait, const mission::PlanReport& report) {
+  const auto meets = [&](const mission::Dependence& on) {
+    return std::any_of(report.tasks.begin(), report.tasks.end(), [&](const auto& one) {
+      return one.task.id == on.task && type_of(one.task).synchronises();
+    });
+  };
+  return !wait.stop.empty() && std::all_of(wait.stop.begin(), wait.stop.end(), meets);
+}
+
+/// A wait of the plan, until orders or partners come: wherever it is.
+bool waits_for_others(Core& core, const executive::TaskStatus& task) {
   if (task.type != "wait" || task.state != executive::TaskState::kRunning) return false;
   if (!core.deliberation().possible()) return false;
-  const auto& planned = core.deliberation().report().tasks;
-  return std::any_of(planned.begin(), planned.end(), [&](const mission::PlannedTask& one) {
-    return one.task.id == task.id && one.task.open_ended;
+  const mission::PlanReport& report = core.deliberation().report();
+  return std::any_of(report.tasks.begin(), report.tasks.end(), [&](const auto& one) {
+    return one.task.id == task.id && (one.task.open_ended || ends_with_meeting(one.task, report));
   });
 }
 
@@ -56,11 +66,11 @@ std::vector<executive::TaskStatus> safe_waits(Core& core) {
 }
 
 /// The vehicle has it under way, and need not.
-std::optional<functional::TaskId> wait_for_orders(Core& core) {
+std::optional<functional::TaskId> wait_for_others(Core& core) {
   const auto under_way = core.vehicle().under_way();
   for (const executive::TaskStatus& one : core.execution().tasks()) {
     const bool has = std::find(under_way.begin(), under_way.end(), one.id) != under_way.end();
-    if (has && waits_for_orders(core, one)) return one.id;
+    if (has && waits_for_others(core, one)) return one.id;
   }
   return std::nullopt;
 }
@@ -70,12 +80,12 @@ std::optional<functional::TaskId> wait_for_orders(Core& core) {
 bool has_nothing_to_do(Core& core) {
   if (!mission::deliberates(core.degree())) return false;
   const auto tasks = core.execution().tasks();
-  const std::size_t idle = safe_waits(core).size() + (wait_for_orders(core) ? 1 : 0);
+  const std::size_t idle = safe_waits(core).size() + (wait_for_others(core) ? 1 : 0);
   if (core.vehicle().under_way().size() > idle) return false;
   return std::none_of(tasks.begin(), tasks.end(), [&](const executive::TaskStatus& one) {
     const bool waits = one.state == executive::TaskState::kScheduled;
     if (waits || is_terminal(one.state) || one.id >= executive::kFirstBackgroundId) return false;
-    return !waits_safely(core, one) && !waits_for_orders(core, one) &&
+    return !waits_safely(core, one) && !waits_for_others(core, one) &&
            !waits_for_partners(core, one);
   });
 }
@@ -137,15 +147,15 @@ bool leads_on(const Airway& aside, const functional::Request& request, const wor
               AirwaySituation situation) {
   situation.aside = true;
   situation = resting_at(std::move(situation), *aside.end);
-  const Airways on = is_done_in_place(request)
+  const Airways on = !needs_air(request) || is_done_in_place(request)
                          ? flights_to(place, aside.request.id, config, situation)
                          : airways_of(request, false, config, situation).value_or(Airways());
   return !on.empty() && !overlap(on.front().air, ends);
 }
 
-/// The vehicle is stopped in a wait for orders. False: it has none.
+/// The vehicle is stopped in a wait for others. False: it has none.
 bool leave_wait(Core& core, LeftWait& left) {
-  const auto wait = wait_for_orders(core);
+  const auto wait = wait_for_others(core);
   if (!wait) return false;
   if (!left.is(*wait)) core.vehicle().interrupt(*wait);
   left.leave(*wait);

@@ -98,10 +98,24 @@ bool waits_for_flight(const functional::Request& request, const VehicleAir& vehi
          functional::TaskTypes::shipped().of(request.type).holds_vehicle();
 }
 
+/// Whether something is looked at while the vehicle waits.
+bool looks_meanwhile(Core& core, const functional::Request& request) {
+  if (request.type != "wait" || !core.deliberation().possible()) return false;
+  const mission::PlanReport& report = core.deliberation().report();
+  return std::any_of(report.tasks.begin(), report.tasks.end(), [&](const auto& one) {
+    const auto& all = one.task.dependences;
+    const mission::Dependence runs{mission::DependenceKind::kRunning, request.id};
+    return !type_of(one.task).devices.empty() &&
+           std::find(all.begin(), all.end(), runs) != all.end();
+  });
+}
+
 /// To `place`, from where it got out of the way, before it does this there.
-bool is_to_come_back(const std::optional<world::Vector3>& place, const functional::Request& request,
-                     const VehicleAir& vehicle, const merging::Margins& margins) {
-  if (!place || !vehicle.state().airborne || !is_done_in_place(request)) return false;
+bool is_to_come_back(Core& core, const std::optional<world::Vector3>& place,
+                     const functional::Request& request, const VehicleAir& vehicle,
+                     const merging::Margins& margins) {
+  if (!place || !vehicle.state().airborne) return false;
+  if (!is_done_in_place(request) && !looks_meanwhile(core, request)) return false;
   return (*place - vehicle.place()).norm() > margins.settled;
 }
 
@@ -152,7 +166,7 @@ bool Merging::takes(const functional::Request& request) {
     return true;
   }
   if (!needs_air(request) && !waits_for_flight(request, vehicle_) &&
-      !is_to_come_back(place_, request, vehicle_, margins_))
+      !is_to_come_back(core_, place_, request, vehicle_, margins_))
     return false;
   waiting_ = waiting_since(core_.bus().now(), request);
   ask();
@@ -186,7 +200,7 @@ void Merging::ask() {
   if (waiting_->makes_room) return stop_waiting();
   waiting_->comes_back = false;
   waiting_->asked_long = waiting_->is_long(core_.bus().now());
-  if (is_to_come_back(place_, waiting_->request, vehicle_, margins_)) {
+  if (is_to_come_back(core_, place_, waiting_->request, vehicle_, margins_)) {
     if (Airways back = flights_to(*place_, own_ids_.next(), *core_.config().merging, situation());
         !back.empty()) {
       own_ids_.take();

@@ -132,9 +132,14 @@ class MergedTeam {
     task.id = flight.task.id;
     task.type = flight.task.type;
     task.parameters = flight.task.parameters;
-    task.origin = mission::GoalId(701);
     task.duration = {Duration::seconds(1), Duration::seconds(300)};
-    uavs_[uav].planned = std::move(task);
+    plan(uav, std::vector{std::move(task)});
+  }
+
+  /// The same of these tasks.
+  void plan(const std::string& uav, std::vector<mission::ElementaryTask> tasks) {
+    for (mission::ElementaryTask& one : tasks) one.origin = mission::GoalId(701);
+    uavs_[uav].planned = std::move(tasks);
     mission::UnitMission mission;
     mission.id = mission::MissionId(1);
     mission.tasks.push_back({mission::GoalId(701), "visit", {}, {}});
@@ -167,6 +172,8 @@ class MergedTeam {
   /// It aborts whatever it is given from now on, or does not any more.
   void refuse(const std::string& uav, bool refuses) { uavs_[uav].refuses = refuses; }
   int given(const std::string& uav) { return uavs_[uav].given; }
+  /// Waits and looks last until they are interrupted from now on; else they end at once.
+  void let_waits_last() { waits_last_ = true; }
   /// Whenever it has nothing to fly it flies circles of 15 m at 10 m/s from now on.
   void circle(const std::string& uav) { uavs_[uav].circles = true; }
   /// So much of its energy is left from now on.
@@ -227,8 +234,10 @@ class MergedTeam {
     bool is_put_down = false, refuses = false, circles = false;
     double turned = 0;  ///< on its circles [rad]
     int given = 0;      ///< requests
+    std::set<functional::TaskId> lasting;
+    std::vector<functional::Status> to_tell;
     std::vector<StartWaySearch> searches;
-    std::optional<mission::ElementaryTask> planned;
+    std::vector<mission::ElementaryTask> planned;
     std::vector<std::uint64_t> jobs;  ///< of planning
     int flown = 0;                    ///< [0.1 s]
   };
@@ -237,8 +246,8 @@ class MergedTeam {
     for (const std::string& name : names_) {
       for (const std::uint64_t job : std::exchange(uavs_[name].jobs, {})) {
         supervisor::InsertionOutcome outcome;
-        outcome.plan.emplace().tasks = {*uavs_[name].planned};
-        outcome.order = {{uavs_[name].planned->origin, "visit", {}, {}}};
+        outcome.plan.emplace().tasks = uavs_[name].planned;
+        outcome.order = {{uavs_[name].planned.front().origin, "visit", {}, {}}};
         outcome.chosen = mission::Placement::kLast;
         give(name, supervisor::JobFinished{job, outcome});
       }
@@ -289,6 +298,8 @@ class MergedTeam {
 
   void take(Uav& uav, const functional::Request& request) {
     ++uav.given;
+    if (uav.lasting.erase(request.id) > 0)
+      return uav.to_tell.push_back({request.id, functional::TaskState::kAborted, "interrupted"});
     if (request.verb == functional::Verb::kInterrupt) {
       if (uav.task && uav.task->id == request.id) {
         uav.way.clear();
@@ -296,9 +307,13 @@ class MergedTeam {
       }
       return;
     }
+    uav.begun.push_back(request.id.value());
+    if (waits_last_ && (request.type == "wait" || request.type == "takeshot")) {
+      uav.lasting.insert(request.id);
+      return uav.to_tell.push_back({request.id, functional::TaskState::kRunning, ""});
+    }
     uav.task = request;
     uav.stopped = false;
-    uav.begun.push_back(request.id.value());
     const Vector3& at = uav.state.position;
     if (request.type == "takeoff")
       uav.way = {{at.x(), at.y(), request.parameters.find("altitude")->numbers.front()}};
@@ -313,6 +328,8 @@ class MergedTeam {
   // A metre in a tenth of a second, and a status when there is no further point.
   void fly(const std::string& name) {
     Uav& uav = uavs_[name];
+    for (const functional::Status& status : std::exchange(uav.to_tell, {}))
+      give(name, StatusTold{status});
     Vector3& at = uav.state.position;
     const Vector3 before = at;
     if (uav.is_put_down) {
@@ -353,6 +370,7 @@ class MergedTeam {
   merging::Witness witness_{{}};
   std::set<std::string> restless_;
   bool searches_withheld_ = false;
+  bool waits_last_ = false;
   int telemetry_tenths_ = 1;
   std::map<std::string, Uav> uavs_;
   std::vector<std::pair<std::string, MergeTold>> radio_;
