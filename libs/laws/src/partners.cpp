@@ -5,6 +5,7 @@
 
 #include "checks.hpp"
 #include "skein/laws/healing.hpp"
+#include "skein/mission/degree.hpp"
 #include "statement.hpp"
 
 namespace skein::laws {
@@ -95,6 +96,15 @@ double patience_ends(const History& history, const Uav& uav, const Execution& wa
 
 namespace {
 
+/// Of a partner that is silent since then: until when nobody else spoke for it. Below degree 3 the
+/// ground station does, whose operator decides; absent: it is heard.
+std::optional<double> spoken_for_until(const History& history, const Uav& uav, const Uav& partner,
+                                       double since, double at) {
+  if (mission::synchronises_directly(partner.degree(since), uav.degree(at))) return since;
+  const auto ground = silent_since(history, uav, "ground", at);
+  return ground ? std::optional(std::max(since, *ground)) : std::nullopt;
+}
+
 /// Why it is waited for no longer than until then.
 struct Limit {
   double ends = kNever;
@@ -105,8 +115,9 @@ Limit limit_of(const History& history, const Uav& uav, const Execution& wait, co
                const Uav& partner) {
   const double until = std::min(wait.over, history.end);
   if (const auto since = silent_since(history, uav, partner.name(), until)) {
-    if (history.was_away("sim", *since, until)) return {};
-    return {patience_ends(history, uav, wait, partner.name(), *since),
+    const auto alone = spoken_for_until(history, uav, partner, *since, until);
+    if (!alone || history.was_away("sim", *since, until)) return {};
+    return {patience_ends(history, uav, wait, partner.name(), *alone),
             "is silent since " + figure(*since) + " s"};
   }
   const auto& planning = history.scenario->planning;

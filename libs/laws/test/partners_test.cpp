@@ -51,6 +51,16 @@ TEST(AwaitedLaw, OneThatIsCutOffIsSilentToo) {
   EXPECT_THAT(told(800).broken("awaited"), IsEmpty());
 }
 
+// Found by random missions (--anything --busy 30): its operator had it in hand, at degree 1.
+TEST(AwaitedLaw, WhoseWordsTheGroundStationSaysIsSilentOnceThatIsToo) {
+  const auto told = [](int degree) { return waits_for_dead(900).degree("heliv", 20, degree); };
+  EXPECT_THAT(told(2).broken("awaited"), IsEmpty());
+  EXPECT_EQ(told(3).broken("awaited").size(), 1U);
+  Story cut = told(2);
+  cut.link(150, "ground", "marvin", false).link(150, "marvin", "ground", false);
+  EXPECT_EQ(cut.broken("awaited").size(), 1U);
+}
+
 // Found by random missions (--meetings 28).
 TEST(AwaitedLaw, WhoOnlyReceivesIsNotAwaited) {
   Story story;
