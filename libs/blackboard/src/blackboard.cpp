@@ -49,12 +49,14 @@ void Blackboard::set_condition(NodeNumber from, NodeNumber to, const ChannelCond
 }
 
 std::vector<Incoming> Blackboard::step(Now now) {
-  std::vector<Incoming> all = impl_->receive(now);
+  std::vector<Incoming> all = impl_->receive(now, true);
   std::ranges::move(impl_->act(now), std::back_inserter(all));
   return all;
 }
 
-std::vector<Incoming> Blackboard::receive(Now now) { return impl_->receive(now); }
+std::vector<Incoming> Blackboard::receive(Now now, bool handled) {
+  return impl_->receive(now, handled);
+}
 
 std::vector<Incoming> Blackboard::act(Now now) { return impl_->act(now); }
 

@@ -39,7 +39,7 @@ class Blackboard::Impl {
                                       SendOptions options);
   Result<std::uint64_t, Refusal> publish(wire::Sample sample, Now now);
   void set_condition(NodeNumber from, NodeNumber to, const ChannelCondition& condition, Now now);
-  std::vector<Incoming> receive(Now now);
+  std::vector<Incoming> receive(Now now, bool handled);
   std::vector<Incoming> act(Now now);
   std::optional<Duration> next_wakeup() const;
   std::optional<MissionTime> next_expiry() const;
@@ -105,7 +105,8 @@ class Blackboard::Impl {
   Connections connections_;
   Random losses_;
   Directory directory_;
-  std::vector<Peer*> heard_;  ///< heard since the last step began; may contain duplicates
+  /// Of which the node was given something that it has not handled; may contain duplicates.
+  std::vector<Peer*> heard_;
   Signature signature_;
   Pulse pulse_;  ///< on the world channel
   Publishers publishers_;

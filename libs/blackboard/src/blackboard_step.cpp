@@ -15,9 +15,14 @@ bool tells_of_links(const Arrival& arrival) {
 
 }  // namespace
 
-std::vector<Incoming> Blackboard::Impl::receive(Now now) {
-  for (Peer* peer : heard_) peer->commit();
-  heard_.clear();
+std::vector<Incoming> Blackboard::Impl::receive(Now now, bool handled) {
+  if (handled) {
+    for (Peer* peer : heard_) peer->commit();
+    heard_.clear();
+  } else {
+    std::ranges::sort(heard_);
+    heard_.erase(std::unique(heard_.begin(), heard_.end()), heard_.end());
+  }
   connections_.update(now.steady, out_);
   std::vector<Arrival> arrivals = transport_.take();
   const bool waits = std::ranges::any_of(arrivals, tells_of_links);

@@ -102,12 +102,12 @@ class Daemon {
     host_->step(now());
     if (!config_.world && !config_.leads_clock) take_time_of_peers();
     if (config_.companion != nullptr) hear_companion();
-    if (listens_until_ && Waker::steady_now() >= *listens_until_) lead_again();
+    if (listening_ && listening_->is_over(Waker::steady_now(), hears_followers())) lead_again();
     // A daemon that is restarted in mid-mission must not live at mission time zero.
-    const bool has_time = config_.leads_clock ? !listens_until_ : clock_heard_;
+    const bool has_time = config_.leads_clock ? !listening_ : clock_heard_;
     if (!host_->started() && has_time) host_->start(now(), is_first_life());
     if (!introduced_as_ready_ && is_ready()) introduce();
-    if (config_.leads_clock && !listens_until_) lead();
+    if (config_.leads_clock && !listening_) lead();
     flush_journal();
     host_->lines_have_left();
     if (config_.companion != nullptr) {
@@ -188,7 +188,8 @@ class Daemon {
       sooner(config_.leads_clock ? leader_.steady_at(*at)
                                  : follower_.steady_at(*at, Waker::steady_now()));
     }
-    if (config_.leads_clock) sooner(listens_until_.value_or(next_clock_));
+    if (config_.leads_clock)
+      sooner(listening_ ? listening_->next(Waker::steady_now()) : next_clock_);
     if (!next) return std::nullopt;
     return *next - Waker::steady_now();
   }
@@ -251,8 +252,10 @@ class Daemon {
     const auto was = host_->resumed_from();
     if (!was || *was == MissionTime()) return;
     leader_.set(*was, Waker::steady_now());
-    listens_until_ = Waker::steady_now() + std::max(kListens, heartbeat_ + heartbeat_);
+    listening_.emplace(Waker::steady_now(), std::max(kListens, heartbeat_ + heartbeat_));
   }
+
+  bool hears_followers() const { return host_->latest_heard() > *host_->resumed_from(); }
 
   void lead_again() {
     const MissionTime was = *host_->resumed_from();
@@ -260,7 +263,7 @@ class Daemon {
     const bool credible = theirs > was && theirs < was + kMostAhead;
     leader_.set(credible ? theirs : was, Waker::steady_now());
     leader_.run(Waker::steady_now());
-    listens_until_.reset();
+    listening_.reset();
     record_mission("resumed");
   }
 
@@ -320,7 +323,7 @@ class Daemon {
   MissionTime time_of_peers_;  ///< the latest, if there is no world
   std::set<std::string> awaited_;
   Duration next_clock_;
-  std::optional<Duration> listens_until_;  ///< leader that comes back: then it leads again
+  std::optional<LeaderListening> listening_;  ///< leader that comes back: then it leads again
   std::optional<MissionTime> finish_at_;
   std::optional<Duration> finished_at_;
 };

@@ -166,7 +166,6 @@ void Host::start(Now now, bool first_life) {
     carry_out(std::exchange(left_, {}), now);
     give(Started{config_.incarnation, first_life && !resumed_from_}, now);
   } else {
-    remember(Resumed{}, now);
     log(lines::Resumed{resumed_from_->to_seconds()}, now);
     const std::uint64_t sends = sends_;  // states that are sent again are none of the node's
     gives_out_again_ = true;
@@ -178,7 +177,7 @@ void Host::start(Now now, bool first_life) {
 }
 
 bool Host::step(Now now) {
-  std::vector<blackboard::Incoming> incoming = blackboard_.receive(now);
+  std::vector<blackboard::Incoming> incoming = blackboard_.receive(now, started_);
   apply_links(incoming, now);
   std::ranges::move(blackboard_.act(now), std::back_inserter(incoming));
   bool busy = !incoming.empty();
@@ -207,6 +206,8 @@ Result<void, Failure> Host::recall(Survey past) {
     unsettled_[{peer, true}] = {settled_long, settled_long + 1};
   }
   node_due_ = node_->next_wakeup();
+  // It is heard from now on, and may end before it knows the time: the next life is another one.
+  (void)config_.memory->append({*resumed_from_, Resumed{}});
   return {};
 }
 

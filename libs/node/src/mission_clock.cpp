@@ -86,4 +86,11 @@ wire::Clock ClockLeader::sample(Duration steady) const {
   return clock;
 }
 
+LeaderListening::LeaderListening(Duration since, Duration least)
+    : least_(since + least), most_(since + std::max(least, kAtMost)) {}
+
+bool LeaderListening::is_over(Duration steady, bool heard) const {
+  return steady >= (heard ? least_ : most_);
+}
+
 }  // namespace skein::node

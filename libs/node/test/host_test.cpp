@@ -57,6 +57,22 @@ TEST_F(Hosts, WhatComesBeforeTheStartIsHandledAndLoggedAfterIt) {
   EXPECT_EQ(marvin.records[0].at(), now().mission);
 }
 
+// It may be killed before it starts, and then nobody would handle it.
+TEST_F(Hosts, AnEventIsAcknowledgedOnceTheNodeThatItIsForHasStarted) {
+  open("marvin", 2);
+  advance(1);
+  act("ground", {Send{number("marvin"), abort_request(7), at(60), 31}});
+  advance(3);
+  const std::size_t delivered_before = (*this)["ground"].diary.all<Delivered>().size();
+
+  (*this)["marvin"].host->start(now());
+  advance(3);
+
+  EXPECT_EQ(delivered_before, 0U);
+  EXPECT_EQ((*this)["ground"].diary.all<Delivered>().size(), 1U);
+  EXPECT_EQ((*this)["marvin"].diary.samples<wire::TaskRequest>().size(), 1U);
+}
+
 TEST_F(Hosts, ASampleGoesToTheNodeItIsFor) {
   meet();
 

@@ -93,11 +93,12 @@ class Caller final : public Node {
 
 struct Played {
   std::vector<std::uint64_t> answers;
-  std::vector<std::string> lines, notices;
+  std::vector<std::string> lines, notices, reached;
   std::vector<std::pair<std::uint64_t, bool>> marks;  ///< of the lines: number, again
 
   void see(const Record& record) {
     if (record.kind() == "notice") notices.emplace_back(record.text("text"));
+    if (record.kind() == "reach") reached.push_back(to_json(record));
     if (record.kind() == "line") lines.emplace_back(record.text("text"));
     if (record.kind() == "answer")
       answers.push_back(static_cast<std::uint64_t>(record.number("number")));
@@ -354,6 +355,38 @@ TEST_F(AHost, KilledBetweenGivingALineOutAndNotingItGivesItOutAgainWithItsNumber
   EXPECT_THAT(at_uav.lines, ElementsAre("got 1", "got 2", "got 2", "got 3"));
   EXPECT_THAT(at_uav.marks,
               ElementsAre(Pair(1, false), Pair(2, false), Pair(2, true), Pair(3, false)));
+}
+
+// The leader of the clock is dead, too: the life that nobody tells the time hears the ground
+// station, and ends without having begun.
+class WhoDiesUnstarted : public AHost {
+ protected:
+  void SetUp() override {
+    ground_ = open("ground", std::make_unique<Caller>(std::vector<double>{1}), ground_side_,
+                   nullptr, at_ground_);
+    ground_->start(now());
+    live(true, 2);
+    live(false, 10);
+  }
+  // A life of so many seconds.
+  void live(bool is_started, int seconds) {
+    blackboard::MemoryTransport side(hub_);
+    auto uav = open("uav", std::make_unique<Counter>(kGround), side, &memory_, at_uav_);
+    if (is_started) uav->start(now());
+    for (int i = 0; i < seconds; i += 2) settle(*uav, *ground_);
+  }
+
+  blackboard::MemoryHub hub_;
+  blackboard::MemoryTransport ground_side_{hub_};
+  MemoryInputLog memory_;
+  Played at_ground_, at_uav_;
+  std::unique_ptr<Host> ground_;
+};
+
+TEST_F(WhoDiesUnstarted, IsHeardAtOnceInItsNextLife) {
+  live(true, 8);
+
+  EXPECT_THAT(at_ground_.reached, ElementsAre(HasSubstr("true")));
 }
 
 // Keeps nothing, and has something to say of it twice.

@@ -278,6 +278,31 @@ RC_GTEST_PROP(MissionClock, SteadyAtIsTheInverseOfNow, (std::uint64_t seed)) {
   RC_ASSERT(std::abs((clock.now(*when) - wanted).to_seconds()) <= rate * 1e-6);
 }
 
+TEST(LeaderListening, IsOverOnceSomebodyIsHeardButNotAtOnce) {
+  const LeaderListening listening(steady(10), Duration::seconds(0.5));
+
+  EXPECT_FALSE(listening.is_over(steady(10.4), true)) << "others may be later";
+  EXPECT_TRUE(listening.is_over(steady(10.5), true));
+  EXPECT_EQ(listening.next(steady(10.4)), steady(10.5));
+}
+
+TEST(LeaderListening, GoesOnForAWhileAsLongAsNobodyIsHeard) {
+  const Duration most = LeaderListening::kAtMost;
+  const LeaderListening listening(steady(10), Duration::seconds(0.5));
+
+  EXPECT_FALSE(listening.is_over(steady(10) + most - Duration::nanoseconds(1), false));
+  EXPECT_TRUE(listening.is_over(steady(10) + most, false));
+  EXPECT_EQ(listening.next(steady(11)), steady(10) + most);
+}
+
+TEST(LeaderListening, MayLastLongerOverSlowHeartbeats) {
+  const Duration least = LeaderListening::kAtMost + LeaderListening::kAtMost;
+  const LeaderListening listening(steady(10), least);
+
+  EXPECT_FALSE(listening.is_over(steady(10) + LeaderListening::kAtMost, false));
+  EXPECT_TRUE(listening.is_over(steady(10) + least, false));
+}
+
 RC_GTEST_PROP(ClockLeader, SteadyAtIsTheInverseOfNow, (std::uint64_t seed)) {
   Random random(seed);
   const double rate = random.uniform(0.01, 1000);

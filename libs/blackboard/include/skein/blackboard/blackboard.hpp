@@ -215,7 +215,9 @@ class Blackboard {
   /// step() in two halves, to be called one after the other: what arrived, then what is due. So a
   /// LinkState that arrived can be applied, by set_condition(), before anything more is said, and
   /// before what came from peers in the same moment: that is lost where the link is down.
-  std::vector<Incoming> receive(Now now);
+  /// `handled`: whether the node has handled what the steps before returned; until it has, no event
+  /// of that is acknowledged.
+  std::vector<Incoming> receive(Now now, bool handled = true);
   std::vector<Incoming> act(Now now);
   /// Steady time at which step() is due even if nothing arrives.
   std::optional<Duration> next_wakeup() const;

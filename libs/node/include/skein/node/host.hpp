@@ -119,9 +119,9 @@ class Host {
                                                          const HostConfig& config, HostPorts ports);
 
   /// Gives the node its Started input, then what arrived before this call. Until then the
-  /// blackboard works and peers are heard, but the node gets no input and nothing is logged: a
-  /// runtime calls it once it knows the mission time. `first_life`: the runtime knows of no life
-  /// before (see Started); a memory that is not empty knows better.
+  /// blackboard works and peers are heard, but the node gets no input, nothing is logged and no
+  /// event is acknowledged: a runtime calls it once it knows the mission time. `first_life`: the
+  /// runtime knows of no life before (see Started); a memory that is not empty knows better.
   void start(blackboard::Now now, bool first_life = false);
   bool started() const { return started_; }
   /// Mission time of the last input of former lives; absent in the first life.

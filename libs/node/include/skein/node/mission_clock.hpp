@@ -69,4 +69,23 @@ class ClockLeader {
   MissionTime finished_;
 };
 
+/// How long a leader that comes back listens before it leads: its followers may have gone on a
+/// little and know best what time it is. At least `least`, so that of several the latest is heard;
+/// and on a busy machine, where it takes the middleware longer until any of them is heard, up to
+/// kAtMost. All times are steady.
+class LeaderListening {
+ public:
+  static constexpr Duration kAtMost = Duration::milliseconds(5'000);
+
+  LeaderListening(Duration since, Duration least);
+
+  bool is_over(Duration steady, bool heard) const;
+  /// When to ask again, if nobody is heard before.
+  Duration next(Duration steady) const { return steady < least_ ? least_ : most_; }
+
+ private:
+  Duration least_;
+  Duration most_;
+};
+
 }  // namespace skein::node
