@@ -45,6 +45,13 @@ void Peer::set_outgoing(const ChannelCondition& condition, Now now) {
   line_.set_outgoing(condition, now.steady);
 }
 
+// The transport gives its history again whenever the channel is up again, long silence or not.
+void Peer::set_incoming(const ChannelCondition& condition) {
+  if (session_ && condition.up && !line_.incoming().up)
+    session_->lives.present().incoming.begin_contact();
+  line_.set_incoming(condition);
+}
+
 void Peer::set_way(std::size_t relays, bool heard_of, bool anew, Now now) {
   line_.set_way(relays, heard_of);
   if (!anew) return;

@@ -51,7 +51,7 @@ class Peer {
   void on_old_heartbeat();
 
   void set_outgoing(const ChannelCondition& condition, Now now);
-  void set_incoming(const ChannelCondition& condition) { line_.set_incoming(condition); }
+  void set_incoming(const ChannelCondition& condition);
   /// Queues a state or a stream on a channel of limited capacity, or whatever goes past a relay.
   void put(wire::Sample sample);
   /// A state to the peer is given to the transport, which keeps it: older ones need not be said.

@@ -56,6 +56,24 @@ TEST_F(Hosts, WhatComesInTheMomentInWhichItsLinkIsToldToBeDownMakesNoContact) {
   EXPECT_EQ(contacts_with("heliv"), 1);
 }
 
+// The transport gives its history again each time; nobody replays it.
+TEST_F(Hosts, ALinkThatFlapsFasterThanSilenceIsNoticedAccusesNobody) {
+  meet();
+  act("ground",
+      {Send{number("marvin"), abort_request(7)}, Send{number("marvin"), abort_request(8)}});
+  advance(3);
+
+  for (int i = 0; i < 10; ++i) {
+    set_link("ground", "marvin", false);
+    advance(0.3);
+    set_link("ground", "marvin", true);
+    advance(0.3);
+  }
+
+  EXPECT_EQ((*this)["marvin"].diary.samples<wire::TaskRequest>().size(), 2U);
+  EXPECT_TRUE((*this)["marvin"].lines("dropped").empty());
+}
+
 TEST_F(Hosts, ALinkStateOfStrangersIsDisregarded) {
   meet();
 
