@@ -108,6 +108,11 @@ void Fleet::kill(const std::string& name) {
   found->second.send(SIGKILL);
 }
 
+Deaths::Stage Fleet::stage_of(const std::string& name) const {
+  if (running_.count(name) == 0) return Deaths::Stage::kDead;
+  return killed_.count(name) > 0 ? Deaths::Stage::kDies : Deaths::Stage::kLives;
+}
+
 std::string Fleet::running_names() const {
   std::string names;
   for (const auto& [name, process] : running_) names += (names.empty() ? "" : ", ") + name;

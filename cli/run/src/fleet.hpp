@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "deaths.hpp"
 #include "play_dds.hpp"
 #include "process.hpp"
 
@@ -34,7 +35,7 @@ class Fleet {
   /// What outlives the daemon's process is gone, when it starts next; but for the vehicles and the
   /// world of one that plays them.
   void forget(const std::string& name);
-  bool is_running(const std::string& name) const { return running_.count(name) > 0; }
+  Deaths::Stage stage_of(const std::string& name) const;
   bool any_running() const { return !running_.empty(); }
   std::string running_names() const;
   /// Address of the operators' page, from the ground station's log; empty until it is logged.

@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "deaths.hpp"
 #include "ears.hpp"
 #include "fleet.hpp"
 #include "roll_call.hpp"
@@ -73,11 +74,7 @@ class DdsRun {
         ears_({domain, kRunner, network_of(scenario, options), {}, roster_.names()}, roster_,
               [this] { waker_.notify(); }),
         fleet_(scenario, options, domain),
-        rate_(scenario.rate),
-        faults_(scenario.faults.kills) {
-    std::stable_sort(faults_.begin(), faults_.end(),
-                     [](const auto& a, const auto& b) { return a.at < b.at; });
-  }
+        deaths_(scenario.faults.kills, scenario.rate) {}
 
   Played run() {
     if (auto opened = open(); !opened) return fail(opened.error().why);
@@ -96,12 +93,6 @@ class DdsRun {
     Duration at;  ///< steady
     std::string why;
   };
-  struct Restart {
-    Duration at;  ///< steady
-    std::string node;
-    bool forgets = false;
-  };
-
   struct Introduction {
     std::uint64_t incarnation = 0;
     bool ready = false;
@@ -261,7 +252,8 @@ class DdsRun {
       fail(left_->why);
       return true;
     }
-    if (!restarts_.empty()) heard_clock_ = steady;  // the leader may be dead because it is to be
+    if (deaths_.awaits_restart())
+      heard_clock_ = steady;  // the leader may be dead because it is to be
     if (steady - heard_clock_ < kClockLimit) return false;
     fail("the mission clock was not heard for " + to_text(kClockLimit) + " s" + load_of_machine(),
          true);
@@ -289,31 +281,23 @@ class DdsRun {
 
   void play_faults() {
     if (clock_.phase() != wire::ClockPhase::kRunning) return;
-    while (!faults_.empty() && faults_.front().at <= now().mission) {
-      const scenario::KillSpec fault = faults_.front();
-      faults_.erase(faults_.begin());
-      log(lines::Fault{.what = "kill", .target = fault.node});
-      fleet_.kill(fault.node);
-      ready_.erase(fault.node);
-      roll_call_.killed(fault.node);
-      if (fault.restart_after) restarts_.push_back(restart_of(fault));
-    }
-    for (auto one = restarts_.begin(); one != restarts_.end();) {
-      if (one->at > node::Waker::steady_now() || fleet_.is_running(one->node)) {
-        ++one;
-        continue;
-      }
-      log(lines::Fault{.what = one->forgets ? "restart" : "resume", .target = one->node});
-      if (one->forgets) fleet_.forget(one->node);
-      (void)start(one->node);
-      one = restarts_.erase(one);
+    const auto stage_of = [this](const std::string& name) { return fleet_.stage_of(name); };
+    while (const auto deed = deaths_.next(now().mission, node::Waker::steady_now(), stage_of)) {
+      deed->kills ? kill(deed->node) : start_again(*deed);
     }
   }
 
-  // On the steady clock: mission time stands still while its leader is dead.
-  Restart restart_of(const scenario::KillSpec& fault) const {
-    const Duration away = Duration::seconds(fault.restart_after->to_seconds() / rate_);
-    return {node::Waker::steady_now() + away, fault.node, fault.forgets};
+  void kill(const std::string& name) {
+    log(lines::Fault{.what = "kill", .target = name});
+    fleet_.kill(name);
+    ready_.erase(name);
+    roll_call_.killed(name);
+  }
+
+  void start_again(const Deaths::Deed& deed) {
+    log(lines::Fault{.what = deed.forgets ? "restart" : "resume", .target = deed.node});
+    if (deed.forgets) fleet_.forget(deed.node);
+    (void)start(deed.node);
   }
 
   // Lets the daemons end by themselves if the mission is over, asks them to otherwise, and makes
@@ -348,9 +332,7 @@ class DdsRun {
   RollCall roll_call_;
   node::MissionClock clock_;
   Fleet fleet_;
-  double rate_;
-  std::vector<scenario::KillSpec> faults_;
-  std::vector<Restart> restarts_;
+  Deaths deaths_;
   std::optional<Left> left_;  ///< the first daemon that ended by itself before the clock did here
   std::set<std::string> ready_;
   std::map<std::string, Introduction> introduced_;  ///< by name, the last
