@@ -321,8 +321,9 @@ void MissionPlanning::fire(Waiting& waiting, MissionTime now, Effects& effects) 
       step != nullptr ? asked_by_step(step->name) : "operator " + waiting.operator_action->does;
   perform(step != nullptr ? step->actions : waiting.operator_action->actions, asked_by, now,
           effects);
-  if (finished_ || step == nullptr) return;
+  if (step == nullptr) return;
   effects.emplace_back(StepDone{step->name});
+  if (finished_) return;
   mark<OnStep>(now, [&](const OnStep& on) { return on.step == step->name; });
 }
 

@@ -316,6 +316,7 @@ TEST(MissionPlanning, FinishEndsEverything) {
 
   EXPECT_THAT(only<MissionFinished>(effects), SizeIs(1));
   EXPECT_THAT(only<IssueCommand>(effects), IsEmpty());
+  EXPECT_THAT(only<StepDone>(effects), SizeIs(1)) << "the step that ends it is one, too";
   EXPECT_TRUE(mps.finished());
   EXPECT_EQ(mps.next_wakeup(), std::nullopt);
   EXPECT_THAT(mps.handle(Tick{}, at(5)), IsEmpty());
