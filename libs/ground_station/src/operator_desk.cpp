@@ -7,9 +7,13 @@
 
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
+#include "skein/functional/steering_ids.hpp"
+#include "skein/ground_station/stand_ins.hpp"
 
 namespace skein::ground_station {
 namespace {
+
+static_assert(functional::kFirstSteeringId.value() > StandIns::kFirstId);
 
 constexpr std::size_t kMostDeeds = 64;
 constexpr std::size_t kMostUnderWay = 256;  // of one operator
@@ -239,7 +243,8 @@ void OperatorDesk::take(const SteerTo& deed, Draft& draft) const {
     draft.problems.push_back(deed.uav + " is not in your hand: take it in hand first");
   }
   if (!uav->airborne) draft.problems.push_back(deed.uav + " is not in the air");
-  std::uint64_t& next = draft.steering.try_emplace(deed.uav, kFirstSteeringId).first->second;
+  std::uint64_t& next =
+      draft.steering.try_emplace(deed.uav, functional::kFirstSteeringId.value()).first->second;
   PlannedTask way;
   way.task.id = executive::TaskId(next++);
   way.task.type = "goto";

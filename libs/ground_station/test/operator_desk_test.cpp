@@ -192,7 +192,7 @@ TEST_F(Desk, SteersAUavInHandAtOnceWithTasksOfItsOwn) {
   const OperatorAnswered second = ask(request("ada", 2, {SteerTo{"marvin", {{5, 6, 30}}}}), 2);
 
   ASSERT_THAT(second.commands, SizeIs(1));
-  EXPECT_EQ(second.commands[0].what, "START 900000001 goto");
+  EXPECT_EQ(second.commands[0].what, "START 390000001 goto");
 }
 
 TEST_F(Desk, TellsOfAnAcceptedRequestWhatCouldNotBeDone) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The right to decide is given up and taken again. Source: spec 1.2.
+#include "skein/functional/steering_ids.hpp"
 #include "testing/core_harness.hpp"
 
 namespace skein::supervisor {
@@ -266,6 +267,16 @@ TEST(SupervisorLives, OneThatMayHaveLivedBeforeNumbersItsTasksBeyondThoseOfThatL
   }
   EXPECT_EQ(first.insertion().base.situation.next_id, TaskId{100});
   EXPECT_EQ(again.insertion().base.situation.next_id, TaskId{100 + 47'700});
+}
+
+// An operator steered by 'go', gave it back, and was refused the next but one: its id was taken.
+TEST(SupervisorHandOver, NewTasksAreNumberedBeyondThoseOfOthersButNotBeyondWaysOfWhoSteers) {
+  Desk desk = Desk::engaged();
+  desk.seen(140, TaskState::kScheduled);
+  desk.seen(functional::kFirstSteeringId.value(), TaskState::kScheduled);
+  desk.add(a_mission(1, {701}));
+
+  EXPECT_EQ(desk.insertion().base.situation.next_id, TaskId{141});
 }
 
 // Found by missions of an outsider (249): its plan waited behind it until its energy was used up.

@@ -7,6 +7,7 @@
 
 #include "book/progress.hpp"
 #include "skein/foundation/rounded_seconds.hpp"
+#include "skein/functional/steering_ids.hpp"
 
 namespace skein::supervisor {
 
@@ -86,7 +87,7 @@ void Observer::see(const executive::TaskEvent& event) {
 // Safe waits, and tasks of others. New tasks are numbered beyond theirs, unless theirs are in a
 // range of their own.
 void Observer::see_loose(const executive::TaskEvent& event) {
-  if (event.id < functional::kFirstRoleId) {
+  if (event.id < functional::kFirstRoleId && !functional::is_of_steering(event.id)) {
     book_.next_id = std::max(book_.next_id, TaskId(event.id.value() + 1));
   }
   const auto known = book_.loose.find(event.id);

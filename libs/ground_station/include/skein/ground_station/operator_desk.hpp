@@ -43,8 +43,6 @@ class OperatorDesk {
   static constexpr std::size_t kRequestsKept = 64;
   static constexpr std::size_t kOperators = 64;
   static constexpr std::size_t kLongestName = 64;  ///< [byte]
-  /// First id of the tasks that steer a UAV.
-  static constexpr std::uint64_t kFirstSteeringId = 900'000'000;
 
   /// The state that a request is checked against.
   struct Surroundings {
