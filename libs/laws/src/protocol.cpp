@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/laws/protocol.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -37,6 +38,10 @@ class Checker {
       : command_limit_(command_limit), late_(late) {}
 
   std::vector<std::string> check(const std::vector<Record>& records) {
+    for (const Record& record : records) {
+      if (record.kind() == lines::Fault::kKind && record.text("what") == "kill")
+        deaths_[std::string(record.text("target"))].push_back(record.at());
+    }
     for (const Record& record : records) {
       if (record.at() < last_) breach(record, "time goes back");
       const bool read =
@@ -91,7 +96,7 @@ class Checker {
     const Rendezvous rendezvous{line.id, line.from, line.to};
     if (line.direction == "sent") {
       syncs_.insert(rendezvous);
-    } else if (!syncs_.contains(rendezvous)) {
+    } else if (!syncs_.contains(rendezvous) && !took_words_with_it(line.from, when.at)) {
       breach(when.record, "a synchronisation message nobody sent is received");
     }
   }
@@ -103,7 +108,8 @@ class Checker {
       return;
     }
     const auto sent = sent_[channel].find(line.sequence);
-    if (sent == sent_[channel].end()) breach(when.record, "a message nobody sent is received");
+    if (sent == sent_[channel].end() && !took_words_with_it(line.from, when.at))
+      breach(when.record, "a message nobody sent is received");
     std::uint64_t& last = (line.sequence < kFirstLongMessage ? received_ : received_long_)[channel];
     if (line.sequence <= last) breach(when.record, "a message is received twice or late");
     last = line.sequence;
@@ -171,6 +177,16 @@ class Checker {
 
   void breach(const Record& record, const std::string& why) {
     breaches_.push_back(to_text(record.at()) + " s: " + why + ": " + journal::to_json(record));
+  }
+
+  /// A process that is killed takes with it the lines of what it has just said; the clocks of
+  /// others may differ from the runner's as much as they may be late.
+  bool took_words_with_it(const std::string& node, MissionTime at) const {
+    const auto found = deaths_.find(node);
+    if (found == deaths_.end() || !late_ || *late_ == Duration()) return false;
+    return std::ranges::any_of(found->second, [&](MissionTime death) {
+      return at >= death - *late_ && at <= death + *late_;
+    });
   }
 
   static bool may_follow(std::string_view before, std::string_view after) {
@@ -263,6 +279,7 @@ class Checker {
 
   Duration command_limit_;
   std::optional<Duration> late_;
+  std::map<std::string, std::vector<MissionTime>> deaths_;  ///< by node, all of the run
   MissionTime last_;
   std::map<Task, std::string> tasks_;
   std::map<Job, std::string> latest_;  ///< whoever told it

@@ -227,6 +227,20 @@ TEST(JournalLaws, WhatWasSentToANodeMayReachItsNextLife) {
   EXPECT_THAT(broken_protocol(log), IsEmpty());
 }
 
+TEST(JournalLaws, WhoIsKilledTakesTheLinesOfItsLastWordsWithItOverDds) {
+  const auto breaches = [](const char* killed, double heard, std::optional<Duration> late) {
+    const Log log{fault(10, "kill", killed), message(heard, 1, "received")};
+    return broken_protocol(log, Duration::seconds(66), late);
+  };
+  const Duration second = Duration::seconds(1);
+
+  EXPECT_THAT(breaches("ground", 10.9, second), IsEmpty());
+  EXPECT_THAT(breaches("ground", 11.1, second), ElementsAre(HasSubstr("nobody sent")));
+  EXPECT_THAT(breaches("marvin", 10.9, second), ElementsAre(HasSubstr("nobody sent")));
+  EXPECT_THAT(breaches("ground", 10, Duration()), ElementsAre(HasSubstr("nobody sent")))
+      << "in virtual time";
+}
+
 TEST(JournalLaws, TheRestartOfAnotherNodeForgetsNothing) {
   const Log log{task(1, "scheduled"), task(1, "started"), task(2, "ended"),
                 fault(3, "kill", "heliv"), task(4, "scheduled")};

@@ -19,7 +19,8 @@ namespace skein::laws {
 /// - commands: issued once, then delivered at most once, then settled exactly once (acknowledged,
 ///   refused or expired), at the latest `command_limit` after their issue, in which does not count
 ///   that the ground station is dead; what is acknowledged was delivered before;
-/// - synchronisation: nothing is received that was not sent before;
+/// - synchronisation: nothing is received that was not sent before (over DDS, where lines and what
+///   they tell of take ways of their own, but for what its sender said when it was killed);
 /// - messages: each is received at most once, in the order of its sequence, after it was sent;
 /// - samples: none breaks the rules of the wire, none is too long for it;
 /// - links: nothing is received over a link that has been down for more than a moment, unless there
