@@ -206,7 +206,6 @@ Result<void, Failure> Host::recall(Survey past) {
     unsettled_[{peer, true}] = {settled_long, settled_long + 1};
   }
   node_due_ = node_->next_wakeup();
-  // It is heard from now on, and may end before it knows the time: the next life is another one.
   (void)config_.memory->append({*resumed_from_, Resumed{}});
   return {};
 }

@@ -155,6 +155,7 @@ class Host {
  private:
   Host(const Roster& roster, const Member& self, std::unique_ptr<Node> node,
        blackboard::Blackboard blackboard, const HostConfig& config, HostPorts ports);
+  /// Notes a life: it is heard from now on, and may end before it knows the time.
   Result<void, Failure> recall(Survey survey);
   Result<void, Failure> recall_the_world();
   void remember(LoggedInput input, blackboard::Now now);
