@@ -46,8 +46,7 @@ TEST(NegotiationManager, TwoAgreeInFiveMessages) {
   EXPECT_EQ(team.outcomes().breaks(), "");
 }
 
-// What they are invited with says the opener's offer too.
-TEST(NegotiationManager, OpenedByWhoDoesNotDecideItTakesNoMoreMessages) {
+TEST(NegotiationManager, OpenedByWhoDoesNotDecideItTakesOneMessageMore) {
   Team team(2, tenth());
   team.begin_when_invited(0, begin_roles(2));
   team.begin(1, begin_roles(2));
