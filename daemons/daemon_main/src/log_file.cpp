@@ -25,10 +25,9 @@ bool ends_within_line(int file) {
   return size > 0 && pread(file, &last, 1, size - 1) == 1 && last != '\n';
 }
 
-/// The whole lines at the end of the file; of a longer file that is not all.
-std::deque<std::string> last_lines(int file) {
+/// The lines at the end of the first `size` bytes of the file; of more than 1 MB that is not all.
+std::deque<std::string> last_lines(int file, off_t size) {
   constexpr off_t kMost = 1'000'000;  // [bytes]
-  const off_t size = lseek(file, 0, SEEK_END);
   const off_t begin = std::max<off_t>(0, size - kMost);
   std::string text(static_cast<std::size_t>(std::max<off_t>(0, size - begin)), '\0');
   const ssize_t read = pread(file, text.data(), text.size(), begin);
@@ -44,16 +43,18 @@ std::deque<std::string> last_lines(int file) {
 Result<LogFile, Failure> LogFile::open(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (file < 0) return failure(path + ": " + error_text());
-  LogFile log(path, file, ends_within_line(file));
-  log.before_ = last_lines(file);
-  return log;
+  return LogFile(path, file, ends_within_line(file));
 }
+
+LogFile::LogFile(std::string path, int file, bool torn)
+    : path_(std::move(path)), file_(file), torn_(torn), size_before_(lseek(file, 0, SEEK_END)) {}
 
 LogFile::LogFile(LogFile&& other) noexcept
     : path_(std::move(other.path_)),
       file_(std::exchange(other.file_, -1)),
       torn_(other.torn_),
       lost_(other.lost_),
+      size_before_(other.size_before_),
       before_(std::move(other.before_)) {}
 
 LogFile& LogFile::operator=(LogFile&& other) noexcept {
@@ -61,6 +62,7 @@ LogFile& LogFile::operator=(LogFile&& other) noexcept {
   std::swap(file_, other.file_);
   std::swap(torn_, other.torn_);
   std::swap(lost_, other.lost_);
+  std::swap(size_before_, other.size_before_);
   std::swap(before_, other.before_);
   return *this;
 }
@@ -81,9 +83,10 @@ bool LogFile::put(std::string_view text) {
 }
 
 bool LogFile::had(std::string_view line) {
-  const auto found = std::ranges::find(before_, line);
-  if (found == before_.end()) return false;
-  before_.erase(before_.begin(), std::next(found));
+  if (!before_) before_ = last_lines(file_, size_before_);
+  const auto found = std::ranges::find(*before_, line);
+  if (found == before_->end()) return false;
+  before_->erase(before_->begin(), std::next(found));
   return true;
 }
 

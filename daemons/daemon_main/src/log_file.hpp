@@ -2,7 +2,10 @@
 // The event log of a node as a local file.
 #pragma once
 
+#include <sys/types.h>
+
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -30,15 +33,16 @@ class LogFile {
   bool had(std::string_view line);
 
  private:
-  LogFile(std::string path, int file, bool torn)
-      : path_(std::move(path)), file_(file), torn_(torn) {}
+  LogFile(std::string path, int file, bool torn);
   bool put(std::string_view text);
 
   std::string path_;
   int file_ = -1;
   bool torn_ = false;  ///< the file ends within a line
   std::size_t lost_ = 0;
-  std::deque<std::string> before_;  ///< the last whole lines of the file when it was opened
+  off_t size_before_ = 0;  ///< [bytes] when it was opened
+  /// The last lines that it had then; read when somebody asks for one, which few lives do.
+  std::optional<std::deque<std::string>> before_;
 };
 
 }  // namespace skein::daemon_main
