@@ -242,10 +242,12 @@ TEST(ContactPolicy, AHoldEndsWhenTheEnergyLastsNoLongerThanToComeHome) {
   bench.from_sim(flying_with(1));
   lose_ground_at(bench, 10);
   bench.wake_at(40);
+  bench.from_sim(status(own_id(40), TaskState::kRunning));
   bench.set_time(500);
 
   EXPECT_THAT(bench.from_sim(flying_with(needed + 0.01)), Not(Contains(HasSubstr("dispatch"))));
-  EXPECT_THAT(bench.from_sim(flying_with(needed - 0.01)),
+  EXPECT_THAT(bench.from_sim(flying_with(needed - 0.01)), Contains("sim: interrupt " + own(40)));
+  EXPECT_THAT(bench.from_sim(status(own_id(40), TaskState::kAborted)),
               Contains("sim: dispatch " + own(500) + " goto"));
 }
 

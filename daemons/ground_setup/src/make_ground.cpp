@@ -76,6 +76,7 @@ std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
     one.executive.name = uav.name;
     one.executive.idle_type = "wait";
     one.executive.functional_timeout = defaults.functional_timeout;
+    one.executive.interrupts_unanswered = true;
     one.executive.sync_validity = scenario_setup::kSyncValidity;
     config.uavs.push_back(std::move(one));
   }

@@ -16,6 +16,7 @@ executive::Config executive_config(const Config& config) {
   executive::Config result;
   result.name = config.uav;
   result.functional_timeout = config.functional_timeout;
+  result.interrupts_unanswered = true;
   result.sync_validity = config.sync_validity;
   result.background_type = config.background_type;
   result.idle_type = "wait";

@@ -92,7 +92,11 @@ void Executive::Core::pass_timer(const Timer& timer) {
     say(*record.synchronisation, SyncWord::kThere);
     say_again_later(slot);
   } else {
+    const bool unanswered = record.state == TaskState::kStarted;
     set_state(slot, TaskState::kAborted, "no answer within the time-out");
+    if (!unanswered || !config_.interrupts_unanswered) return;
+    outbox_.add(Interrupt{record.id, record.joint});
+    record.answers = true;
   }
 }
 

@@ -408,6 +408,18 @@ TEST(Executive, AbortsATaskWhoseDispatchIsNotAnsweredInTime) {
   EXPECT_THAT(mission.reason_of(1), HasSubstr("time-out"));
 }
 
+// Found over DDS: a flight that waited for its air was flown after it had been given up.
+TEST(Executive, InterruptsWhatIsNotAnsweredInTimeIfItIsTo) {
+  Config config = impatient();
+  config.interrupts_unanswered = true;
+  Mission mission(config);
+  mission.start(TaskOf(1, "goto"));
+
+  EXPECT_THAT(mission.at(3).tick(), ElementsAre("1 aborted", "interrupt 1"));
+  EXPECT_THAT(mission.aborted(1), IsEmpty());
+  EXPECT_THAT(mission.notices, IsEmpty()) << "that was the answer";
+}
+
 TEST(Executive, IsPatientWithATaskThatIsSaidToCome) {
   Mission mission(impatient());
   mission.start(TaskOf(1, "goto"));

@@ -22,6 +22,7 @@ Config config_for(std::uint64_t seed) {
   config.name = "marvin";
   config.urgent_wait = Duration::seconds(4);
   if (seed % 3 == 0) config.functional_timeout = Duration::seconds(5);
+  config.interrupts_unanswered = seed % 2 == 0;
   if (seed % 5 < 3) config.sync_validity = Duration::seconds(6);
   return config;
 }

@@ -14,6 +14,7 @@
 #include "skein/journal/lines/mission.hpp"
 #include "skein/node/heartbeat.hpp"
 #include "skein/node/mission_clock.hpp"
+#include "skein/node/wakeful_time.hpp"
 #include "skein/node/waker.hpp"
 
 namespace skein::node {
@@ -51,6 +52,7 @@ class Daemon {
         follower_(config.world ? MissionClock::kSilence : Duration::max()),
         leader_(config.rate),
         heartbeat_(steady_heartbeat(config.heartbeat, config.rate)),
+        wakeful_(heartbeat_),
         jobs_([this] { waker_.notify(); }),
         awaited_(config.awaited.begin(), config.awaited.end()) {
     if (!config.world) awaited_.clear();  // nobody says that he is ready: to be heard is enough
@@ -96,6 +98,7 @@ class Daemon {
   }
 
   void turn() {
+    wakeful_.run(Waker::steady_now(), host_->next_steady_wakeup());
     for (JobDone& done : jobs_.take_done()) host_->job_done(std::move(done), now());
     if (jobs_aside_)
       for (JobDone& done : jobs_aside_->take_done()) host_->job_done(std::move(done), now());
@@ -132,7 +135,7 @@ class Daemon {
 
   Now now() {
     const Duration steady = Waker::steady_now();
-    return {config_.leads_clock ? leader_.now(steady) : follower_.now(steady), steady};
+    return {config_.leads_clock ? leader_.now(steady) : follower_.now(steady), wakeful_.at(steady)};
   }
 
   // Before the start theirs is zero.
@@ -180,10 +183,11 @@ class Daemon {
   }
 
   std::optional<Duration> until_next_wakeup() const {
-    std::optional<Duration> next = host_->next_steady_wakeup();
+    std::optional<Duration> next;
     const auto sooner = [&](std::optional<Duration> at) {
       if (at && (!next || *at < *next)) next = at;
     };
+    if (const auto at = host_->next_steady_wakeup()) sooner(wakeful_.steady_at(*at));
     if (const auto at = host_->next_mission_wakeup()) {
       sooner(config_.leads_clock ? leader_.steady_at(*at)
                                  : follower_.steady_at(*at, Waker::steady_now()));
@@ -314,6 +318,7 @@ class Daemon {
   MissionClock follower_;
   ClockLeader leader_;
   const Duration heartbeat_;  ///< steady
+  WakefulTime wakeful_;
   JobRunner jobs_;
   std::optional<JobRunner> jobs_aside_;  ///< made for the first job of the second lane
   std::unique_ptr<Host> host_;

@@ -231,6 +231,23 @@ TEST_P(Daemons, NoJobWaitsForOneOfTheSecondLane) {
   }));
 }
 
+// As a machine that sleeps and wakes: nobody has said anything, and nobody has listened.
+TEST_P(Daemons, ThoseWhomTheMachineHeldUpDoNotTakeEachOtherForSilent) {
+  start_all();
+  ASSERT_TRUE(until([&] { return ticks_read("a") >= 50 && ticks_read("ground") >= 50; }));
+  for (const char* name : {"ground", "sim", "a"}) stop(name, SIGSTOP);
+  const Duration wakes = Waker::steady_now() + Duration::milliseconds(1'000);  // ten periods
+  ASSERT_TRUE(until([&] { return Waker::steady_now() >= wakes; }));
+  for (const char* name : {"ground", "sim", "a"}) stop(name, SIGCONT);
+
+  const auto ticks = ticks_read("a");
+  ASSERT_TRUE(until([&] { return ticks_read("a") > ticks + 200; }));
+  for (const char* name : {"ground", "a"}) {
+    for (const std::string& line : read(name))
+      EXPECT_EQ(line.find("\"reachable\":false"), line.npos) << line;
+  }
+}
+
 TEST_P(Daemons, TheEndOfTheMissionEndsThemAll) {
   start_all("3");
 

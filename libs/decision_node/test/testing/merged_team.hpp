@@ -308,9 +308,13 @@ class MergedTeam {
       return;
     }
     uav.begun.push_back(request.id.value());
-    if (waits_last_ && (request.type == "wait" || request.type == "takeshot")) {
-      uav.lasting.insert(request.id);
-      return uav.to_tell.push_back({request.id, functional::TaskState::kRunning, ""});
+    if (!uav.refuses) uav.to_tell.push_back({request.id, functional::TaskState::kRunning, ""});
+    if (request.type == "wait" || request.type == "takeshot") {
+      if (waits_last_)
+        uav.lasting.insert(request.id);
+      else
+        uav.to_tell.push_back({request.id, functional::TaskState::kEnded, ""});
+      return;
     }
     uav.task = request;
     uav.stopped = false;
@@ -325,7 +329,8 @@ class MergedTeam {
       uav.way.emplace_back(points->numbers[i], points->numbers[i + 1], points->numbers[i + 2]);
   }
 
-  // A metre in a tenth of a second, and a status when there is no further point.
+  // A metre in a tenth of a second; what it does runs from there on, and is over when there is no
+  // further point.
   void fly(const std::string& name) {
     Uav& uav = uavs_[name];
     for (const functional::Status& status : std::exchange(uav.to_tell, {}))
@@ -358,7 +363,6 @@ class MergedTeam {
       give(name, world::Telemetry{name, uav.state, now_, {}});
     if (!uav.task || !uav.way.empty()) return;
     const functional::TaskId id = std::exchange(uav.task, std::nullopt)->id;
-    give(name, StatusTold{{id, functional::TaskState::kRunning, ""}});
     const auto over = std::exchange(uav.stopped, false) ? functional::TaskState::kAborted
                                                         : functional::TaskState::kEnded;
     give(name, StatusTold{{id, over, ""}});

@@ -91,7 +91,10 @@ class NaiveExecutive {
           say(e, SyncWord::kThere);
           e.again_at = now_ + half_of_validity();
         } else {
+          const bool was_started = e.state == TaskState::kStarted;
           go(e, TaskState::kAborted);
+          if (was_started && config_.interrupts_unanswered)
+            out_.push_back(Interrupt{id, e.joint()});
         }
       }
       settle();
