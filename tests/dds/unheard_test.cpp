@@ -43,6 +43,13 @@ std::optional<journal::lines::Reach> contact_of(const journal::Record& record) {
   return journal::read_as<journal::lines::Reach>(record);
 }
 
+/// Of two sightings that arrive in one turn the ground station says the same; that they are two is
+/// in the numbers of their messages.
+bool says_nothing_of_its_own(const journal::Record& record) {
+  return record.kind() == "process" || record.kind() == "telemetry" ||
+         record.kind() == "perception";
+}
+
 /// Records that came twice. Contact may be lost and found again in one instant, before the mission
 /// starts above all: of it twice the same, with nothing else about those two between, is twice.
 std::size_t records_twice(const std::vector<journal::Record>& records) {
@@ -50,7 +57,7 @@ std::size_t records_twice(const std::vector<journal::Record>& records) {
   std::map<std::string, std::string> last_contact;
   std::size_t twice = 0;
   for (const journal::Record& record : records) {
-    if (record.kind() == "process" || record.kind() == "telemetry") continue;
+    if (says_nothing_of_its_own(record)) continue;
     const std::string text = journal::to_json(record);
     if (const auto contact = contact_of(record)) {
       std::string& last = last_contact[record.node() + " " + std::string(contact->peer)];

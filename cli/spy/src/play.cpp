@@ -60,7 +60,8 @@ class Stage {
 
 std::optional<std::vector<Taken>> read_samples(const std::string& name, std::ostream& err) {
   std::ifstream in(name, std::ios::binary);
-  if (!in) {
+  if (in) in.peek();
+  if (!in.is_open() || in.bad()) {
     err << name << ": cannot be read\n";
     return std::nullopt;
   }

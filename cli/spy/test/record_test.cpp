@@ -126,6 +126,15 @@ TEST_F(RecordAndPlay, OfADomainWhereNobodyIsSaysSo) {
   EXPECT_THAT(err_.str(), HasSubstr("nothing heard"));
 }
 
+TEST_F(RecordAndPlay, SaysOfWhatCannotBeReadThatItCannot) {
+  for (const std::string& name : {folder_.path().string(), file("nothing.mcap")}) {
+    PlayOptions options;
+    options.file = name;
+    EXPECT_EQ(play(options, out_, err_), kExitBadInput);
+    EXPECT_THAT(err_.str(), HasSubstr(name + ": cannot be read"));
+  }
+}
+
 TEST_F(RecordAndPlay, RefusesWhatIsNoRecording) {
   std::ofstream(file("text.mcap")) << "no recording";
   PlayOptions options;

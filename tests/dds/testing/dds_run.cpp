@@ -9,6 +9,7 @@
 #include <csignal>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 namespace skein::testing {
 
@@ -16,7 +17,9 @@ namespace {
 
 std::string read_text(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::ostringstream text;  // of a process that is gone no more can be read, which is no exception
+  text << in.rdbuf();
+  return text.str();
 }
 
 // The words of a process's command line; none if it is gone.
