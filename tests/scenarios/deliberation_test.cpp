@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
         "contingencies/landing-given-up", "contingencies/takeoff-without-contact",
         "contingencies/joint-task-called-off", "contingencies/joint-task-never-loaded",
         "handover/held-tasks", "handover/synchronised", "handover/cancelled-at-ground",
-        "handover/narrow-radio", "deadlines/orders-after-a-goal",
+        "handover/held-by-hand", "handover/narrow-radio", "deadlines/orders-after-a-goal",
         "contingencies/room-while-waiting-for-orders"),
     name_of);
 

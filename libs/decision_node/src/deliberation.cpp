@@ -69,7 +69,7 @@ std::string Deliberation::why_not_planned() const {
 }
 
 void Deliberation::task_changed(const executive::TaskEvent& event) {
-  tell(supervisor::TaskSeen{event});
+  tell(supervisor::TaskSeen{event, core_.execution().gives_way(event.id)});
 }
 
 void Deliberation::vehicle_told(const world::Telemetry& telemetry) {

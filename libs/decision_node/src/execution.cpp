@@ -12,6 +12,8 @@ namespace skein::decision_node {
 
 namespace {
 
+constexpr const char* kIdleType = "wait";
+
 executive::Config executive_config(const Config& config) {
   executive::Config result;
   result.name = config.uav;
@@ -19,7 +21,7 @@ executive::Config executive_config(const Config& config) {
   result.interrupts_unanswered = true;
   result.sync_validity = config.sync_validity;
   result.background_type = config.background_type;
-  result.idle_type = "wait";
+  result.idle_type = kIdleType;
   return result;
 }
 
@@ -183,6 +185,12 @@ std::optional<functional::TaskId> Execution::not_given_back(const executive::Inp
   if (abort == nullptr || mission::runs_at_ground(core_.degree())) return std::nullopt;
   const bool runs = core_.vehicle().is_of_ground(abort->id) && !holds(abort->id);
   return runs ? std::optional(abort->id) : std::nullopt;
+}
+
+bool Execution::gives_way(executive::TaskId id) const {
+  const auto task = executive_.find(id);
+  return task && task->type == kIdleType && task->parameters.find("duration") == nullptr &&
+         executive_.exit_conditions(id).empty();
 }
 
 // ---- what the executive asks for ----

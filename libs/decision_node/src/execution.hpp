@@ -38,6 +38,8 @@ class Execution final : public Component {
   bool holds(functional::TaskId id) const;
   /// Whether this task is being aborted.
   bool stops(functional::TaskId id) const;
+  /// It is a wait without end, which the executive ends when another motion begins.
+  bool gives_way(executive::TaskId id) const;
   std::vector<executive::TaskStatus> tasks() const { return executive_.tasks(); }
   std::uint64_t changes() const { return executive_.changes(); }
   /// Unfinished tasks except the background routine, with the goals they serve.

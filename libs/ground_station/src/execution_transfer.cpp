@@ -43,13 +43,17 @@ void GroundControl::hold(const std::string& uav, std::vector<HeldTask> tasks, Ef
   out.emplace_back(HeldPlanChanged{uav, held_.hold(uav, tasks), HeldState::kHeld});
 }
 
-// The UAV's executive asks for what is under way once more, so nothing is interrupted here.
+// The UAV's executive asks for what is under way once more, so nothing is interrupted here. Who
+// deliberates awaits what it knows to be under way before its plan goes on: that comes last, so
+// that it has all the rest then.
 void GroundControl::send_up(const std::string& uav, MissionTime now, Effects& out) {
   if (!mles_.runs(uav)) return;
   std::vector<HeldTask> tasks = mles_.let_go(uav);
   for (SendSync& kept : syncs_.for_sending(uav)) out.emplace_back(std::move(kept));
+  const bool awaits = mission::deliberates(monitoring_.degree_of(uav));
+  const FirstGiven first = awaits ? FirstGiven::kWaiting : FirstGiven::kUnderWay;
   const TaskPlaces places(monitoring_, mles_);
-  for (Request& request : places.starting(uav, std::move(tasks))) {
+  for (Request& request : places.starting(uav, std::move(tasks), first)) {
     errands_.emplace_back(Monitoring::Input(
         IssueCommand{uav, std::move(request), now + transfer_lifetime_, "hand-over", true}));
   }

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "request_facts.hpp"
-#include "transfer_requests.hpp"
 
 namespace skein::ground_station {
 
@@ -30,7 +29,8 @@ Request TaskPlaces::adapted(const SendRequest& request, bool at_ground) const {
 }
 
 std::vector<Request> TaskPlaces::starting(const std::string& uav,
-                                          std::vector<mission::HeldTask> tasks) const {
+                                          std::vector<mission::HeldTask> tasks,
+                                          FirstGiven first) const {
   TransferFacts facts;
   facts.state_of = [&](TaskId id) -> std::optional<TaskState> {
     const std::optional<TaskOnBoard> task = monitoring_.find_task(uav, id);
@@ -38,7 +38,7 @@ std::vector<Request> TaskPlaces::starting(const std::string& uav,
     return task->state;
   };
   facts.messages = monitoring_.messages_of(uav);
-  return requests_to_start(std::move(tasks), facts);
+  return requests_to_start(std::move(tasks), facts, first);
 }
 
 }  // namespace skein::ground_station

@@ -7,6 +7,7 @@
 
 #include "skein/ground_station/local_executives.hpp"
 #include "skein/ground_station/monitoring.hpp"
+#include "transfer_requests.hpp"
 
 namespace skein::ground_station {
 
@@ -24,7 +25,8 @@ class TaskPlaces {
   /// transfer is unknown to the executive that got the rest.
   Request adapted(const SendRequest& request, bool at_ground) const;
   /// What brings the tasks into an executive of the UAV that has none (requests_to_start()).
-  std::vector<Request> starting(const std::string& uav, std::vector<mission::HeldTask> tasks) const;
+  std::vector<Request> starting(const std::string& uav, std::vector<mission::HeldTask> tasks,
+                                FirstGiven first = FirstGiven::kUnderWay) const;
 
  private:
   const Monitoring& monitoring_;

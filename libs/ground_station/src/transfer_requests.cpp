@@ -163,11 +163,13 @@ Entry entry_of(const HeldTask& held, const Reduction& reduction, const std::set<
 
 }  // namespace
 
-std::vector<Request> requests_to_start(std::vector<HeldTask> tasks, const TransferFacts& facts) {
-  std::sort(tasks.begin(), tasks.end(), [](const HeldTask& a, const HeldTask& b) {
-    const bool a_waits = a.state == TaskState::kScheduled;
-    const bool b_waits = b.state == TaskState::kScheduled;
-    return std::pair(a_waits, a.task.id) < std::pair(b_waits, b.task.id);
+std::vector<Request> requests_to_start(std::vector<HeldTask> tasks, const TransferFacts& facts,
+                                       FirstGiven first) {
+  const auto comes_later = [first](const HeldTask& one) {
+    return (one.state == TaskState::kScheduled) == (first == FirstGiven::kUnderWay);
+  };
+  std::sort(tasks.begin(), tasks.end(), [&](const HeldTask& a, const HeldTask& b) {
+    return std::pair(comes_later(a), a.task.id) < std::pair(comes_later(b), b.task.id);
   });
   const Reduction reduction(tasks, facts, Fate::kNever);
   std::set<TaskId> later;

@@ -19,16 +19,20 @@ struct TransferFacts {
   std::set<std::string> messages;  ///< the UAV has processed them
 };
 
+/// Which tasks an executive is given before the others.
+enum class FirstGiven { kUnderWay, kWaiting };
+
 /// The requests, in order, that bring `tasks` into an executive without tasks or history. Laws:
-/// - each task is started once, those under way first, then by id; tasks under way get no
-///   preconditions, and aborting ones are aborted;
+/// - each task is started once, those that are `first` before the others, then by id; tasks under
+///   way get no preconditions, and aborting ones are aborted;
 /// - conditions are simplified to what can still change: clauses that are true for ever and
 ///   literals that can no longer be true are left out. The rest has the same value in the new
 ///   executive, which sees tasks under way begin again, as in the old one;
 /// - no condition names a task before its START: such a condition follows as UPDATE-COND.
 /// Source: spec 1.2 (hand-over), T III.1.3.
 std::vector<Request> requests_to_start(std::vector<mission::HeldTask> tasks,
-                                       const TransferFacts& facts);
+                                       const TransferFacts& facts,
+                                       FirstGiven first = FirstGiven::kUnderWay);
 
 /// The request for an executive that does not know the tasks for which `over` returns a terminal
 /// state: conditions on these are simplified as in requests_to_start(). Other conditions stay.

@@ -186,19 +186,33 @@ TEST(ExecutionTransfer, WhatEndedBeforeTheTransferMayStillBeNamed) {
 
 // ---- up ----
 
-TEST(ExecutionTransfer, GoingUpTheTasksHereAreSentToTheUav) {
+/// Task 5 runs, 6 waits for its end.
+GroundControl with_two_under_way() {
   GroundControl ground = control(1);
   ground.handle(command(start_of(5)), at(1));
   ground.handle(status(5, TaskState::kRunning), at(2));
   executive::Start next{a_task(6), executive::InsertionMode::kSeq};
   next.task.preconditions = {in_state(5, TaskState::kEnded)};
   ground.handle(command(next), at(2));
+  return ground;
+}
+
+TEST(ExecutionTransfer, GoingUpTheTasksHereAreSentToTheUav) {
+  GroundControl ground = with_two_under_way();
 
   const Effects effects = ground.handle(HandOverReceived{"marvin", {3, {}, {}}, at(5)}, at(5));
 
   EXPECT_THAT(sent(effects), ElementsAre("START 5 goto", "START 6 goto"));
   EXPECT_THAT(only<SendFunctional>(effects), IsEmpty()) << "nothing is interrupted";
   EXPECT_THAT(only<SendRequest>(ground.handle(command(abort_of(5)), at(6))), SizeIs(1));
+}
+
+TEST(ExecutionTransfer, GoingUpToWhoDeliberatesWhatItAwaitsComesLast) {
+  GroundControl ground = with_two_under_way();
+
+  const Effects effects = ground.handle(HandOverReceived{"marvin", {4, {}, {}}, at(5)}, at(5));
+
+  EXPECT_THAT(sent(effects), ElementsAre("START 6 goto", "START 5 goto", "UPDATE-COND 6"));
 }
 
 TEST(ExecutionTransfer, WhatANodeThatHasChangedRefusesIsNotLost) {

@@ -84,6 +84,18 @@ TEST(TransferRequests, WhatIsUnderWayIsStartedFirstWithoutPreconditions) {
   EXPECT_EQ(started(requests, 5).preconditions, Formula{in_state(8, TaskState::kEnded)});
 }
 
+// Found by random missions (--anything --busy 1002023): who awaited the look alone began with the
+// flight behind it.
+TEST(TransferRequests, WhatIsUnderWayComesLastToWhoAwaitsIt) {
+  const auto requests =
+      requests_to_start({held(8, TaskState::kRunning),
+                         held(9, TaskState::kScheduled, {in_state(8, TaskState::kEnded)})},
+                        facts(), FirstGiven::kWaiting);
+
+  EXPECT_THAT(words(requests), ElementsAre("START 9 goto", "START 8 goto", "UPDATE-COND 9"));
+  EXPECT_THAT(started(requests, 9).preconditions, SizeIs(1)) << "waits until they follow";
+}
+
 TEST(TransferRequests, WhatWasAbortingIsStartedAndAborted) {
   const auto requests = requests_to_start({held(5, TaskState::kAborting)}, facts());
 

@@ -34,7 +34,7 @@ class Supervisor::Core {
   void on(const Disengage& input) { hand_over_.give_up(input); }
   void on(const Engage& input);
   void on(const WorldChanged& input);
-  void on(const TaskSeen& input) { observer_.see(input.event); }
+  void on(const TaskSeen& input) { observer_.see(input); }
   void on(const RequestAnswered& input) { observer_.see(input.reply); }
   void on(const VehicleSeen& input);
   void on(const JobFinished& input) { jobs_.finished(input); }

@@ -110,6 +110,65 @@ TEST(SupervisorHandOver, NothingOfThePlanFollowsATaskThatTheExecutiveHasNotYet) 
   EXPECT_THAT(desk.started(103)->task.preconditions, SizeIs(1)) << "over 7";
 }
 
+TaskSeen wait_without_end(TaskState state) { return {{TaskId{7}, "wait", state, {}}, true}; }
+
+// Found by an outsider's missions over DDS (2003): its operator's wait had no end, and so the UAV
+// hovered until the end of the mission.
+TEST(SupervisorHandOver, AWaitWithoutEndOfItsOperatorsIsNotWaitedFor) {
+  Desk desk = under_way();
+  desk.at(10).give(Disengage{"degree 1"});
+  desk.aborted_as_asked(100);
+  desk.seen(7, TaskState::kRunning, {}, "wait");
+  desk.at(50).give(Engage{true, "given back", std::nullopt, {TaskId{7}}});
+  desk.finish(repaired(RepairStep::kReplan, {701, 702},
+                       {TaskOf(103, "goto", 701).over(7), TaskOf(104, "goto", 702).after(103)}));
+
+  desk.at(51).give(wait_without_end(TaskState::kScheduled));
+
+  ASSERT_THAT(desk.requests(), Contains("START 103"));
+  EXPECT_THAT(desk.started(103)->task.preconditions, IsEmpty());
+}
+
+TEST(SupervisorHandOver, AWaitWithoutEndIsNotWaitedForOnceItHasBegun) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701}));
+  desk.give(wait_without_end(TaskState::kScheduled));
+  desk.finish(inserted({701}, {TaskOf(100, "goto", 701)}));
+  ASSERT_THAT(desk.requests(), Contains("START 100"));
+  EXPECT_THAT(desk.started(100)->task.preconditions, SizeIs(1)) << "over 7";
+
+  desk.at(2).give(wait_without_end(TaskState::kStarted));
+
+  ASSERT_THAT(desk.requests(), Contains("UPDATE 100"));
+  for (const ToExecutive& sent : desk.of<ToExecutive>()) {
+    const auto* update = std::get_if<executive::UpdateConditions>(&sent.input);
+    ASSERT_NE(update, nullptr) << "the plan's only motion, and nothing else";
+    EXPECT_THAT(*update->preconditions, IsEmpty());
+  }
+}
+
+/// Goal 701 flies at the ground station's executive; 702 is planned behind it on return.
+Desk given_back_while_flying() {
+  Desk desk = under_way();
+  desk.at(10).give(Disengage{"degree 1"});
+  desk.at(98).give(Engage{true, "given back", std::nullopt, {TaskId{100}}});
+  desk.finish(repaired(RepairStep::kReplan, {702}, {TaskOf(103, "goto", 702).after(100)}));
+  return desk;
+}
+
+TEST(SupervisorHandOver, NothingOfThePlanFollowsAnOwnTaskThatTheExecutiveHasNotYet) {
+  Desk back = given_back_while_flying(), ended = given_back_while_flying();
+  EXPECT_THAT(back.requests(), IsEmpty());
+
+  back.at(99).seen(100, TaskState::kScheduled, {}, "goto");
+  ended.at(99).seen(100, TaskState::kEnded, {}, "goto");
+
+  EXPECT_THAT(back.requests(), Contains("START 103"));
+  EXPECT_THAT(back.started(103)->task.preconditions, SizeIs(1)) << "100 ended";
+  EXPECT_THAT(ended.requests(), Contains("START 103"));
+  EXPECT_THAT(ended.started(103)->task.preconditions, IsEmpty());
+}
+
 TEST(SupervisorHandOver, WhatEndsElsewhereOrDoesNotComeBackIsNotFollowed) {
   Desk ended = given_back_while_looking(), silent = given_back_while_looking();
 

@@ -185,7 +185,7 @@ std::set<GoalId> Book::falling_with(std::set<GoalId> falling) const {
 std::set<TaskId> Book::loose_motion(TaskId next) const {
   std::set<TaskId> result;
   for (const auto& [id, one] : loose) {
-    if (one.holds_vehicle) result.insert(id);
+    if (one.holds_vehicle && !one.gives_way) result.insert(id);
   }
   for (const auto& [id, entry] : tasks) {
     if (!entry.given() || entry.over() || !holds_vehicle(entry.task)) continue;
@@ -198,11 +198,6 @@ std::set<TaskId> Book::loose_motion(TaskId next) const {
 bool Book::is_led_away() const {
   return std::any_of(loose.begin(), loose.end(),
                      [](const auto& one) { return one.second.leads_away; });
-}
-
-bool Book::awaits_loose() const {
-  return std::any_of(loose.begin(), loose.end(),
-                     [](const auto& one) { return one.second.elsewhere; });
 }
 
 std::set<TaskId> Book::loose_users_of(const std::string& device) const {

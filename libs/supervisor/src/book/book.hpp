@@ -52,7 +52,7 @@ struct Loose {
   bool ran = false;         ///< the functional layer accepted it
   bool begun = false;       ///< the executive started it
   bool leads_away = false;  ///< given by an operator; the vehicle's position after it is unknown
-  bool elsewhere = false;   ///< another executive has it, which is to give it back
+  bool gives_way = false;  ///< given by others, begun, and over when another task needs the vehicle
 };
 
 /// In Book::forgotten: the supervisor gave it, and another executive has it; it may come back.
@@ -74,6 +74,7 @@ class Book {
   std::map<TaskId, Loose> loose;  ///< tasks of no goal that are not over
   ByteBook forgotten;             ///< tasks of no goal that are over, or another executive's: 1, or
                                   ///< kOursElsewhere
+  std::set<TaskId> elsewhere;     ///< another executive has these, and is to give them back
   Meetings meetings;              ///< what is known of partners and their plans
   TaskId next_id{1};
   bool more_settled = false;  ///< goals were settled since the last let_go_of_the_past()
@@ -122,8 +123,6 @@ class Book {
   std::set<TaskId> loose_users_of(const std::string& device) const;
   /// An operator's task that moves the vehicle away (Loose::leads_away) is not over.
   bool is_led_away() const;
-  /// Another executive is to give a task of no goal back: no condition may name it before.
-  bool awaits_loose() const;
   /// Open-ended tasks that wait for orders and are not over.
   std::vector<const Entry*> waits_for_orders() const;
   /// The vehicle has a reason to fly: a task that was not told to stop is under way, or one that

@@ -76,10 +76,11 @@ struct Entry {
   executive::AbortCause cause = executive::AbortCause::kOther;  ///< of its abort
   std::vector<Hold> holds;                                      ///< last sent to the executive
   mission::TaskDates told_window;                               ///< last sent to the executive
-  bool by_others = false;  ///< given by somebody else, with other conditions
-  bool scheduled = false;  ///< an executive confirmed to have it
-  bool was_held = false;   ///< it was given with holds
-  bool unseen = false;     ///< taken over by somebody else: its outcome is unknown
+  bool by_others = false;       ///< given by somebody else, with other conditions
+  bool scheduled = false;       ///< an executive confirmed to have it
+  bool was_held = false;        ///< it was given with holds
+  bool unseen = false;          ///< taken over by somebody else: its outcome is unknown
+  bool over_elsewhere = false;  ///< it ended at another executive, and was not given back
   Tardiness told = Tardiness::kInTime;
 
   Stage stage() const { return stage_; }

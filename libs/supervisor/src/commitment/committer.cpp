@@ -48,7 +48,7 @@ bool Committer::is_undated(GoalId goal) const {
 // vehicle, where the plan begins is not known: it is made anew then. What another executive is to
 // give back, a condition can name once it is here.
 std::optional<MissionTime> Committer::due(GoalId goal) const {
-  if (book_.is_led_away() || book_.awaits_loose()) return std::nullopt;
+  if (book_.is_led_away() || !book_.elsewhere.empty()) return std::nullopt;
   MissionTime first = MissionTime::max();
   for (const Entry* entry : book_.of(goal)) first = std::min(first, entry->dates.earliest_start);
   const auto waits = book_.waits_for_orders();
@@ -101,8 +101,10 @@ mission::ElementaryTask Committer::as_given(const mission::ElementaryTask& task)
   auto& on = result.dependences;
   const auto unknown = [this](const Dependence& one) {
     const Entry* other = book_.find(one.task);
-    return (other == nullptr || !other->given()) && book_.loose.count(one.task) == 0 &&
-           !book_.forgotten.knows(one.task.value());
+    const bool here = other != nullptr && other->given() && !other->over_elsewhere;
+    const auto loose = book_.loose.find(one.task);
+    const bool beside = loose != book_.loose.end() && !loose->second.gives_way;
+    return !here && !beside && !book_.forgotten.knows(one.task.value());
   };
   on.erase(std::remove_if(on.begin(), on.end(), unknown), on.end());
   for (const TaskId id : loose_before(result)) {
@@ -200,13 +202,17 @@ TaskId Committer::start_loose(const std::string& type) {
   return id;
 }
 
-// What the executive has begins when the safe wait is over.
-TaskId Committer::start_safe_wait() {
-  const TaskId id = start_loose("wait");
+void Committer::renew_motions() {
   for (auto& [task, entry] : book_.tasks) {
     const bool held = entry.in_hand() && !entry.seen.started && !entry.by_others;
     if (held && holds_vehicle(entry.task)) send_preconditions(entry);
   }
+}
+
+// What the executive has begins when the safe wait is over.
+TaskId Committer::start_safe_wait() {
+  const TaskId id = start_loose("wait");
+  renew_motions();
   return id;
 }
 

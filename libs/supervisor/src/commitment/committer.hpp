@@ -35,6 +35,8 @@ class Committer {
   /// Updates the dates, and the conditions of tasks at the executive that change with them.
   void reschedule();
   void send_preconditions(Entry& entry);
+  /// The conditions of the tasks that need the vehicle and have not begun.
+  void renew_motions();
   void stop(const std::vector<TaskId>& tasks);
   /// Withdraws the tasks of these goals, and has the executive abort those that it has.
   void retire(const std::set<GoalId>& goals);

@@ -27,8 +27,8 @@ void HandOver::hand_over_goal(GoalId id) {
 void HandOver::give_up(const Disengage& input) {
   engaged_ = false;
   returning_.reset();
-  loose_until_.reset();
-  for (auto& [id, one] : book_.loose) one.elsewhere = false;
+  awaited_until_.reset();
+  book_.elsewhere.clear();
   for (const Evaluation& one : agenda_.clear()) {
     out_.add(MissionDecided{{one.mission.id, false, {input.cause}, true}});
   }
@@ -112,18 +112,20 @@ void HandOver::await_return(const std::string& cause) {
 }
 
 // Those that lead the vehicle away are waited for to their end: where it is then is not known.
-void HandOver::await_loose(const std::vector<TaskId>& elsewhere) {
+void HandOver::await(const std::vector<TaskId>& elsewhere) {
   for (const TaskId id : elsewhere) {
-    const auto found = book_.loose.find(id);
-    if (found == book_.loose.end() || found->second.leads_away) continue;
-    found->second.elsewhere = true;
-    loose_until_ = now() + kComesBack;
+    const auto loose = book_.loose.find(id);
+    const bool stays = loose != book_.loose.end() && !loose->second.leads_away;
+    const Entry* own = book_.find(id);
+    if (stays || (own != nullptr && own->given() && !own->over())) book_.elsewhere.insert(id);
   }
+  if (!book_.elsewhere.empty()) awaited_until_ = now() + kComesBack;
 }
 
-void HandOver::forget_loose() {
-  loose_until_.reset();
-  std::erase_if(book_.loose, [](const auto& one) { return one.second.elsewhere; });
+void HandOver::await_no_longer() {
+  awaited_until_.reset();
+  for (const TaskId id : book_.elsewhere) book_.loose.erase(id);
+  book_.elsewhere.clear();
 }
 
 void HandOver::came_back(TaskId task) {
@@ -132,7 +134,7 @@ void HandOver::came_back(TaskId task) {
 }
 
 void HandOver::time_passes() {
-  if (loose_until_ && now() >= *loose_until_) forget_loose();
+  if (awaited_until_ && now() >= *awaited_until_) await_no_longer();
   if (!returning_ || now() < returning_->until) return;
   for (const TaskId id : returning_->missing) {
     Entry& entry = book_.tasks.at(id);
@@ -143,7 +145,7 @@ void HandOver::time_passes() {
 
 std::optional<MissionTime> HandOver::next_wakeup() const {
   const auto returning = returning_ ? std::optional(returning_->until) : std::nullopt;
-  return earliest(returning, loose_until_);
+  return earliest(returning, awaited_until_);
 }
 
 void HandOver::plan_returned() {
@@ -161,7 +163,7 @@ void HandOver::take(const Engage& input) {
   if (!input.resume && !was_engaged) {
     for (const GoalId id : book_.order) hand_over_goal(id);
   }
-  await_loose(input.elsewhere);
+  await(input.elsewhere);
   if (input.resume && !input.in_executive) await_return(input.cause);
   const std::vector<GoalId> goals = input.resume ? take_back() : std::vector<GoalId>();
   out_.decide({"0 user request", input.cause, list_of("goals", goals), "engaged", now()});

@@ -47,9 +47,9 @@ class HandOver {
   void await_return(const std::string& cause);
   void plan_returned();
   void forget_but(const std::set<TaskId>& kept);
-  void await_loose(const std::vector<TaskId>& elsewhere);
-  /// What another executive has and has not given back is let go of.
-  void forget_loose();
+  void await(const std::vector<TaskId>& elsewhere);
+  /// What another executive has and has not given back: tasks of no goal are let go of.
+  void await_no_longer();
 
   SafeMode& safe_mode_;
   Committer& committer_;
@@ -58,7 +58,7 @@ class HandOver {
   Book& book_;
   bool engaged_ = false;
   std::optional<Return> returning_;
-  std::optional<MissionTime> loose_until_;  ///< when tasks of no goal are awaited no longer
+  std::optional<MissionTime> awaited_until_;  ///< until when Book::elsewhere is awaited
 };
 
 }  // namespace skein::supervisor

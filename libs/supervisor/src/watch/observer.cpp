@@ -74,19 +74,26 @@ Observer::Observer(const Rooms& rooms, Duration grace)
       grace_(grace),
       ways_(rooms.beliefs, rooms.book) {}
 
-void Observer::see(const executive::TaskEvent& event) {
+void Observer::see(const TaskSeen& seen) {
+  const executive::TaskEvent& event = seen.event;
   if (event.id >= executive::kFirstBackgroundId) return;
   if (event.state == TaskState::kEnded) beliefs_.see_end(event, now());
+  const bool is_here = event.state == TaskState::kScheduled || is_terminal(event.state);
+  const bool came_back = is_here && book_.elsewhere.erase(event.id) > 0;
   Entry* entry = book_.find(event.id);
-  if (entry == nullptr) return see_loose(event);
+  if (entry == nullptr) {
+    see_loose(event, came_back);
+    if (seen.gives_way) note_who_gives_way(event.id);
+    return;
+  }
+  entry->over_elsewhere = came_back && is_terminal(event.state);
   see(*entry, event);
-  if (event.state == TaskState::kScheduled || is_terminal(event.state))
-    hand_over_.came_back(event.id);
+  if (is_here) hand_over_.came_back(event.id);
 }
 
 // Safe waits, and tasks of others. New tasks are numbered beyond theirs, unless theirs are in a
 // range of their own.
-void Observer::see_loose(const executive::TaskEvent& event) {
+void Observer::see_loose(const executive::TaskEvent& event, bool came_back) {
   if (event.id < functional::kFirstRoleId && !functional::is_of_steering(event.id)) {
     book_.next_id = std::max(book_.next_id, TaskId(event.id.value() + 1));
   }
@@ -100,7 +107,6 @@ void Observer::see_loose(const executive::TaskEvent& event) {
       one.leads_away =
           event.id < functional::kFirstPlayedId && type.motion == functional::Motion::kMoves;
     }
-    one.elsewhere = one.elsewhere && event.state != TaskState::kScheduled;
     one.begun = one.begun || event.state != TaskState::kScheduled;
     one.ran = one.ran || event.state == TaskState::kRunning;
     moved_by_others_ =
@@ -111,12 +117,19 @@ void Observer::see_loose(const executive::TaskEvent& event) {
   if (known->second.ours && !known->second.stopping)
     safe_mode_.pause_until(now() + retry_after(known->second, event.reason));
   led_away_ = led_away_ || (known->second.leads_away && known->second.begun);
-  if (!known->second.elsewhere) book_.forgotten.set(event.id.value(), 1);
+  if (!came_back) book_.forgotten.set(event.id.value(), 1);
   book_.loose.erase(known);
   if (!led_away_ || book_.is_led_away()) return;
   led_away_ = false;
   if (!book_.free_goals().empty())
     agenda_.plan_anew(std::nullopt, false, "task " + to_text(event.id) + " of an operator is over");
+}
+
+// What was given behind it waits for it no longer.
+void Observer::note_who_gives_way(TaskId id) {
+  const auto known = book_.loose.find(id);
+  if (known == book_.loose.end() || known->second.ours || !known->second.begun) return;
+  if (!std::exchange(known->second.gives_way, true) && engaged()) committer_.renew_motions();
 }
 
 // Of what keeps it safe: sooner where it did run, and something else took its place; and of the

@@ -29,7 +29,7 @@ class Observer {
   /// `grace`: by how much a task may fall short of its least duration.
   Observer(const Rooms& rooms, Duration grace);
 
-  void see(const executive::TaskEvent& event);
+  void see(const TaskSeen& seen);
   /// The executive answered a request of the supervisor.
   void see(const executive::Reply& reply);
   /// A vehicle state. Returns the devices that have newly failed.
@@ -39,7 +39,9 @@ class Observer {
   MissionTime now() const { return out_.now(); }
   bool engaged() const { return hand_over_.engaged(); }
   void see(Entry& entry, const executive::TaskEvent& event);
-  void see_loose(const executive::TaskEvent& event);
+  /// `came_back`: another executive had it, or has ended it.
+  void see_loose(const executive::TaskEvent& event, bool came_back);
+  void note_who_gives_way(TaskId id);
   void see_scheduled(Entry& entry);
   void see_started(Entry& entry);
   void see_ended(Entry& entry);

@@ -55,6 +55,8 @@ struct WorldChanged {
 /// The executive reported a state of a task; also of tasks that others gave it.
 struct TaskSeen {
   executive::TaskEvent event;
+  /// A wait without end: its executive ends it when another task that needs the vehicle begins.
+  bool gives_way = false;
 };
 /// The executive answered a request of the supervisor.
 struct RequestAnswered {
