@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Requests of operators: the actions of scripts, and what only people do.
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "read_missions.hpp"
@@ -42,27 +44,66 @@ bool is_pair(const Reader& point) {
   return point.is_sequence() && point.items().size() == 2 && point.items()[0].is_scalar();
 }
 
-// Points [x, y] are at `altitude` over the ground; without it a point says its own height.
+const UavSpec* spec_of(const std::string& uav, const TaskContext& context) {
+  const auto& uavs = context.scenario.uavs;
+  const auto found =
+      std::find_if(uavs.begin(), uavs.end(), [&](const UavSpec& one) { return one.name == uav; });
+  return found == uavs.end() ? nullptr : &*found;
+}
+
+std::string in_metres(double figure) { return std::to_string(std::lround(figure)); }
+
+// What its vehicle would refuse, in words for whoever steers it.
+void check_point(const world::Vector3& point, const UavSpec& uav, const Reader& reader,
+                 const TaskContext& context) {
+  const std::string at = in_metres(point.x()) + "," + in_metres(point.y());
+  if (!context.terrain.contains(point.x(), point.y())) {
+    const world::TerrainSpec& spec = context.scenario.world.terrain;
+    reader.error(at + " is outside the terrain",
+                 "x from " + in_metres(spec.west) + " to " + in_metres(spec.east) + ", y from " +
+                     in_metres(spec.south) + " to " + in_metres(spec.north) + " m");
+    return;
+  }
+  const double height = point.z() - context.terrain.elevation(point.x(), point.y());
+  if (uav.model.ground || height <= uav.model.ceiling) return;
+  reader.error(at + " is " + in_metres(height) + " m above the ground there",
+               "at most the ceiling of " + uav.name + ", " + in_metres(uav.model.ceiling) + " m");
+}
+
+// Points [x, y] are at `altitude` over the ground; without it a point says its own height. What
+// drives needs none.
+std::vector<world::Vector3> read_flat(const Reader& reader, const std::vector<Reader>& items,
+                                      bool drives, const TaskContext& context) {
+  const Reader altitude = reader.optional("altitude");
+  if (!altitude.present() && !drives) {
+    reader.optional("to").error("no height",
+                                "altitude (--altitude): metres over the ground, or [x, y, z]");
+  }
+  const double height = altitude.number(0, {0, 10'000, "m above the ground"});
+  std::vector<world::Vector3> points;
+  for (const Reader& item : items) {
+    const world::Vector2 at = read_point_2d(item);
+    points.emplace_back(at.x(), at.y(), context.terrain.elevation(at.x(), at.y()) + height);
+  }
+  return points;
+}
+
 OperatorDeed read_way(const Reader& reader, const TaskContext& context) {
   reader.keys({"uav", "to", "altitude"});
   ground_station::SteerTo steer{read_uav(reader, context), {}};
-  const Reader to = reader.required("to"), altitude = reader.optional("altitude");
-  if (!to.is_sequence()) {
-    if (to.present()) steer.points = read_points(reader, context);
-    return steer;
-  }
-  const bool is_one = !to.items().empty() && to.items()[0].is_scalar() && number_in(to.items()[0]);
-  const bool flat = is_one ? is_pair(to) : !to.items().empty() && is_pair(to.items()[0]);
-  if (!flat) {
+  const UavSpec* uav = spec_of(steer.uav, context);
+  steer.drives = uav != nullptr && uav->model.ground.has_value();
+  const Reader to = reader.required("to");
+  const bool is_list = to.is_sequence() && !to.items().empty();
+  const bool is_one = is_list && to.items()[0].is_scalar() && number_in(to.items()[0]);
+  if (is_list && (is_one ? is_pair(to) : is_pair(to.items()[0]))) {
+    const auto items = is_one ? std::vector<Reader>{to} : to.items();
+    steer.points = read_flat(reader, items, steer.drives, context);
+  } else if (to.present()) {
     steer.points = read_points(reader, context);
-    return steer;
   }
-  if (!altitude.present()) to.error("no height", "altitude: metres over the ground, or [x, y, z]");
-  const double height = altitude.number(0, {0, 10'000, "m above the ground"});
-  for (const Reader& item : is_one ? std::vector<Reader>{to} : to.items()) {
-    const world::Vector2 at = read_point_2d(item);
-    steer.points.emplace_back(at.x(), at.y(), context.terrain.elevation(at.x(), at.y()) + height);
-  }
+  if (uav == nullptr) return steer;
+  for (const world::Vector3& point : steer.points) check_point(point, *uav, to, context);
   return steer;
 }
 

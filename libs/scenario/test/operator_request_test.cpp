@@ -83,6 +83,33 @@ TEST(RequestReader, PutsAWayOverTheGroundItIsFlownOver) {
   EXPECT_DOUBLE_EQ(steer.points[1].z(), terrain.elevation(30, 40) + 50);
 }
 
+// It was acknowledged, and refused by the vehicle a moment later, where no operator looked.
+TEST(RequestReader, SaysWhatTheVehicleWouldRefuseOfAWay) {
+  EXPECT_THAT(problems_of("go: {uav: marvin, to: [[10, 20], [30, 40]], altitude: 5000}"),
+              AllOf(HasSubstr("10,20 is 5000 m above the ground there"), HasSubstr("30,40 is 5000"),
+                    HasSubstr("at most the ceiling of marvin, ")));
+  EXPECT_THAT(problems_of("go: {uav: marvin, to: [90000, 20], altitude: 50}"),
+              AllOf(HasSubstr("90000,20 is outside the terrain"), HasSubstr("x from ")));
+  EXPECT_THAT(problems_of("go: {uav: marvin, to: [10, 20, 9000]}"), HasSubstr("above the ground"));
+  EXPECT_THAT(problems_of("go: {uav: marvin, to: [10, 20]}"), HasSubstr("--altitude"));
+}
+
+TEST(RequestReader, WhatDrivesNeedsNoHeight) {
+  auto patrol = read_scenario(SKEIN_SOURCE_DIR "/scenarios/action/over-the-ridge.yaml");
+  ASSERT_TRUE(patrol.has_value()) << to_text(patrol.error());
+  const auto& uavs = patrol->uavs;
+  const auto robot = std::find_if(uavs.begin(), uavs.end(),
+                                  [](const UavSpec& one) { return one.model.ground.has_value(); });
+  ASSERT_NE(robot, uavs.end());
+  const std::string name = robot->name;
+  RequestReader reads(std::make_shared<const Scenario>(std::move(*patrol)));
+
+  const auto deeds = reads.read("go: {uav: " + name + ", to: [[10, 20], [30, 40]]}");
+
+  ASSERT_TRUE(deeds.has_value()) << to_text(deeds.error());
+  EXPECT_TRUE(std::get<ground_station::SteerTo>(deeds->at(0)).drives);
+}
+
 TEST(RequestReader, OpensAirThatNoScriptCloses) {
   EXPECT_THAT(texts_of("open_air: {name: drawn-by-ada}"),
               ::testing::ElementsAre("open_air drawn-by-ada"));

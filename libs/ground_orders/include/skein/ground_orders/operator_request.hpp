@@ -41,6 +41,7 @@ struct JudgeAlarm {
 struct SteerTo {
   std::string uav;
   std::vector<world::Vector3> points;
+  bool drives = false;  ///< it keeps to the ground
 };
 
 /// One element of a request: an action as in a script, or one that only operators have.
