@@ -2,6 +2,7 @@
 #include "commands.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <span>
@@ -22,6 +23,7 @@
 #include "series_commands.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "stn_commands.hpp"
+#include "wrong_words.hpp"
 
 namespace skein::cli {
 
@@ -79,6 +81,10 @@ int run_command_line(int argc, char** argv, const Actions& actions) try {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    const std::span<const char* const> words(argv + 1, argv + std::max(argc, 1));
+    const bool is_help = error.get_exit_code() == 0;
+    const std::string wrong = is_help ? "" : wrong_word(app, words);
+    if (!wrong.empty()) std::cerr << wrong << '\n';
     return app.exit(error) == 0 ? kExitOk : kExitBadInput;
   }
   return action();

@@ -65,6 +65,24 @@ def faults_below_zero(program, words, text):
             yield f"{option} takes -3: {done.stderr[:200]!r}"
 
 
+WRONG_WORDS = {
+    "rn": "there is no command 'rn'; did you mean 'run'?",
+    "frobnicate": "there is no command 'frobnicate'",
+    "run --virtul a.yaml": "there is no option '--virtul'; did you mean '--virtual'?",
+    "operate --domain 5 taek marvin": "there is no command 'taek'; did you mean 'take'?",
+    "operate --interface 10.0.0.1 10.0.0.2 take marvin --intrupt": "there is no option '--intrupt'; did you mean '--interrupt'?",
+    "spy ech": "there is no command 'ech'; did you mean 'echo'?",
+}
+
+
+def faults_of_wrong_words(program):
+    """What is no command and no option is said, with the nearest that is one."""
+    for words, expected in WRONG_WORDS.items():
+        done = subprocess.run([program, *words.split()], capture_output=True, timeout=60, text=True)
+        if done.returncode != 2 or expected not in done.stderr.splitlines():
+            yield f"skein {words}: {done.returncode}, {done.stderr[:200]!r}"
+
+
 def main():
     program, faults, seen = sys.argv[1], [], 0
     waiting = [[]]
@@ -84,6 +102,7 @@ def main():
         fault = arguments is not None and fault_of_carrying_out(program, command, arguments)
         if fault:
             faults.append(fault)
+    faults += faults_of_wrong_words(program)
     if seen < 10:
         faults.append(f"only {seen} commands found: has the form of the help changed?")
     print("\n".join(faults) or f"{seen} commands: their help can be read")

@@ -60,7 +60,7 @@ int ask_and_tell(Station& station, const wire::OperatorRequest& request,
   }
   const auto reply = answer();
   if (!reply) {
-    err << "no ground station answers on domain " << options.station.domain << '\n';
+    err << "no ground station answers on domain " << options.station.domain << kWhichDomain << '\n';
     return kExitTimeout;
   }
   for (const std::string& problem : reply->problems) err << problem << '\n';

@@ -18,6 +18,10 @@
 
 namespace skein::operate_tool {
 
+/// Said where nobody is heard on a domain.
+inline constexpr const char* kWhichDomain =
+    ": is a mission running there? `skein run` takes a free one without --domain, and says which";
+
 /// The last of each board received from the ground station.
 struct Boards {
   std::optional<wire::GroundBoard> ground;

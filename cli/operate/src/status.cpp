@@ -5,6 +5,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "cells.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/joined.hpp"
 #include "station.hpp"
@@ -61,10 +62,10 @@ void print_uavs(const Boards& boards, MissionTime now, std::ostream& out) {
     const wire::UavTasks& tasks = boards.tasks.at(name);
     std::ostringstream energy;
     energy << std::fixed << std::setprecision(0) << uav.energy * 100 << " %";
-    out << std::left << std::setw(12) << name << std::setw(8) << int{uav.degree} << std::setw(18)
-        << hand_text(uav) << std::setw(14) << contact(uav, now) << std::setw(8) << energy.str()
-        << std::setw(9) << uav.waiting << std::setw(6) << uav.held << std::setw(22)
-        << current_task(tasks) << plan_text(tasks) << '\n';
+    out << cell(12, name) << cell(8, std::to_string(uav.degree)) << cell(18, hand_text(uav))
+        << cell(14, contact(uav, now)) << cell(8, energy.str())
+        << cell(9, std::to_string(uav.waiting)) << cell(6, std::to_string(uav.held))
+        << cell(22, current_task(tasks)) << plan_text(tasks) << '\n';
   }
 }
 
@@ -74,9 +75,9 @@ void print_goals(const Boards& boards, std::ostream& out) {
     for (const wire::GoalEntry& goal : boards.tasks.at(name).goals) {
       if (!any) out << "\nGOALS\n";
       any = true;
-      out << "  " << std::left << std::setw(12) << name << std::setw(8) << goal.id << std::setw(14)
-          << name_of(goal.state) << goal.statement << (goal.why.empty() ? "" : ": " + goal.why)
-          << '\n';
+      out << "  " << cell(12, name) << cell(8, std::to_string(goal.id))
+          << cell(14, name_of(goal.state)) << goal.statement
+          << (goal.why.empty() ? "" : ": " + goal.why) << '\n';
     }
   }
 }
@@ -89,8 +90,8 @@ void print_team(const wire::GroundBoard& ground, std::ostream& out) {
   if (ground.team.empty()) return;
   out << "\nTASKS OF THE TEAM\n";
   for (const wire::BoardTeamTask& task : ground.team) {
-    out << "  " << std::left << std::setw(8) << task.id << std::setw(10) << task.stage
-        << std::setw(20) << names_of(task.owners) << task.statement
+    out << "  " << cell(8, std::to_string(task.id)) << cell(10, task.stage)
+        << cell(20, names_of(task.owners)) << task.statement
         << (task.why.empty() ? "" : ": " + task.why) << '\n';
   }
 }
@@ -98,9 +99,9 @@ void print_team(const wire::GroundBoard& ground, std::ostream& out) {
 void print_world(const wire::GroundBoard& ground, std::ostream& out) {
   if (!ground.alarms.empty()) out << "\nALARMS\n";
   for (const wire::BoardAlarm& alarm : ground.alarms) {
-    out << "  " << std::left << std::setw(6) << alarm.id << std::setw(12) << name_of(alarm.state)
-        << "belief " << std::fixed << std::setprecision(2) << alarm.belief << " at "
-        << std::setprecision(0) << alarm.position.x << ' ' << alarm.position.y << '\n';
+    out << "  " << cell(6, std::to_string(alarm.id)) << cell(12, name_of(alarm.state)) << "belief "
+        << std::fixed << std::setprecision(2) << alarm.belief << " at " << std::setprecision(0)
+        << alarm.position.x << ' ' << alarm.position.y << '\n';
   }
   if (!ground.air.empty()) out << "\nCLOSED AIR\n";
   for (const wire::BoardAir& air : ground.air) out << "  " << air.name << '\n';
@@ -114,8 +115,8 @@ void print_commands(const wire::GroundBoard& ground, std::ostream& out) {
     if (wire::is_settled(one.state)) continue;
     if (!any) out << "\nCOMMANDS UNDER WAY\n";
     any = true;
-    out << "  " << std::left << std::setw(6) << one.command << std::setw(12) << one.uav
-        << std::setw(30) << one.what << std::setw(11) << name_of(one.state) << one.asked_by << '\n';
+    out << "  " << cell(6, std::to_string(one.command)) << cell(12, one.uav) << cell(30, one.what)
+        << cell(14, name_of(one.state)) << one.asked_by << '\n';
   }
 }
 
@@ -212,8 +213,8 @@ int status(const StatusOptions& options, std::ostream& out, std::ostream& err) {
   const auto heard = [&] { return station.boards().complete() && station.clock_heard(); };
   if (!station.listen(options.station.patience, heard)) {
     if (station.interrupted()) return kExitOk;
-    err << "no ground station is heard on domain " << options.station.domain
-        << ": is a mission running there?\n";
+    err << "no ground station is heard on domain " << options.station.domain << kWhichDomain
+        << '\n';
     return kExitTimeout;
   }
   print(station, options, out);
