@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "checks.hpp"
+#include "energy_left.hpp"
 #include "radio_limits.hpp"
 #include "skein/journal/hand_on.hpp"
 #include "skein/journal/lines/deliberation.hpp"
@@ -77,6 +78,18 @@ bool is_kept_from_it(const History& history, const std::string& name, double fro
   });
 }
 
+/// Its energy does not last to get out of the way and come home then: the other moves, when third
+/// ones leave it the air.
+bool has_no_energy_for_it(const History& history, const std::string& name, double at) {
+  constexpr double kHalfOfTheMargin = 0.01;  // that plans keep above the reserve
+  const auto uav = history.uavs.find(name);
+  if (uav == history.uavs.end()) return false;
+  auto sample = uav->second.at(at);
+  if (!sample) return false;
+  sample->energy -= kHalfOfTheMargin;
+  return lacks_energy_to_land(history, uav->second, *sample);
+}
+
 /// How long two may wait for each other where everybody hears everybody [s]: what they decide in,
 /// and on narrow links the words for that: for whom one waits, what another asks for to get out of
 /// the way, the answer.
@@ -128,7 +141,9 @@ std::vector<Violation> waits_for_each_other(const History& history) {
     if (until - from <= longest || !all_are_heard(history, from, until)) return;
     if (falls(history, pair.first, until) || falls(history, pair.second, until)) return;
     const bool kept = is_kept_from_it(history, pair.first, from, until) ||
-                      is_kept_from_it(history, pair.second, from, until);
+                      is_kept_from_it(history, pair.second, from, until) ||
+                      has_no_energy_for_it(history, pair.first, from) ||
+                      has_no_energy_for_it(history, pair.second, from);
     if (kept && until - from <= longest + kAskedAgain) return;
     result.push_back({"", from, pair.first, 0,
                       "it and " + pair.second + " wait for each other for their air, for " +

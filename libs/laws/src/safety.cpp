@@ -7,6 +7,7 @@
 
 #include "by_hand.hpp"
 #include "checks.hpp"
+#include "energy_left.hpp"
 #include "radio_limits.hpp"
 #include "skein/world/segment.hpp"
 
@@ -196,30 +197,6 @@ std::vector<Violation> closed_air_untold(const History& history) {
 
 namespace {
 
-/// The share of its energy that going home and landing takes, with half as much again.
-double share_to_land(const History& history, const Uav& uav, const Sample& sample) {
-  const world::VehicleModel& model = uav.spec->model;
-  const world::Wind& wind = history.scenario->world.wind;
-  const double speed =
-      std::max(1.0, model.cruise_speed - model.wind_drift * (wind.speed + 2 * wind.gusts));
-  const double home = (sample.position.head<2>() - uav.spec->start).norm();
-  const double ground = history.terrain.elevation(uav.spec->start.x(), uav.spec->start.y());
-  const double descent = std::max(0.0, sample.position.z() - ground) / model.descent_rate;
-  const double joules =
-      home / speed * std::max(model.energy.cruise_power, model.energy.hover_power) +
-      (20 + 1.5 * descent) * model.energy.hover_power;
-  return 1.5 * joules / model.energy.capacity;
-}
-
-// Nobody could keep the reserve from there: what happened just before is to blame.
-bool was_lost(const History& history, const Uav& uav, const Sample& sample) {
-  return sample.energy < uav.spec->model.energy.reserve + share_to_land(history, uav, sample);
-}
-
-}  // namespace
-
-namespace {
-
 // It was told to land while there was energy, and is told again and again, and does not do it.
 bool refuses_to_land(const Uav& uav, double at) {
   constexpr double kTriedAgain = 90;  // [s]
@@ -261,7 +238,7 @@ std::vector<Violation> energy_short(const History& history) {
       if (!uav.is_out(sample)) excused = false;
       if (!judged) continue;
       const bool above = sample.energy >= reserve;
-      if (sudden && was_lost(history, uav, sample)) excused = true;
+      if (sudden && lacks_energy_to_land(history, uav, sample)) excused = true;
       if (above) could_land = !refuses_to_land(uav, sample.at);
       if (!above && !could_land) excused = true;
       if (told || excused || sample.energy >= reserve - 0.002) continue;

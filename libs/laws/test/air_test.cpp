@@ -46,6 +46,20 @@ TEST(MutualLaw, WhoseFlightAsideAFaultAbortsIsAskedAgainAfterTenSeconds) {
   EXPECT_THAT(aborted(31.9, "interrupted"), SizeIs(1));
 }
 
+// Found by random missions (--mixed --merged 1002117): the other moved, once a third one had
+// passed.
+TEST(MutualLaw, WhoseEnergyDoesNotLastToGetOutOfTheWayIsWaitedForForTenSecondsMore) {
+  const auto with = [](double energy, double until) {
+    Story story;
+    story.flies("marvin", 0, 100, {0, 0, 60}, {0, 0, 60}, energy).stands("heliv", 0, 100);
+    story.air("marvin", 18, "waits", "heliv to leave").air("heliv", 20, "waits", "marvin to leave");
+    return story.air("heliv", until, "aside").broken("mutual");
+  };
+  EXPECT_THAT(with(0.09, 31.9), IsEmpty());
+  EXPECT_THAT(with(0.09, 32.5), SizeIs(1));
+  EXPECT_THAT(with(0.5, 31.9), SizeIs(1));
+}
+
 TEST(MutualLaw, WhoGetsOutOfTheWayWithinTwoSecondsKeepsIt) {
   EXPECT_THAT(blocked(21.9).broken("mutual"), IsEmpty());
 }

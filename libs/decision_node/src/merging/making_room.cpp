@@ -6,6 +6,7 @@
 
 #include "core.hpp"
 #include "merging/merging.hpp"
+#include "merging/short_energy.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/mission/degree.hpp"
 #include "skein/world/crossing.hpp"
@@ -23,6 +24,12 @@ constexpr Duration kLeavesClosedAir = Duration::milliseconds(1'000);
 /// Who waits for its air over where another is to take off or land, or where one wants to come that
 /// has waited long, gets out of the way after so long.
 constexpr Duration kLeavesPad = Duration::milliseconds(10'000);
+
+/// Who has waited for its air to land for so long waits for somebody who does not leave: it makes
+/// room like one that has nothing to do.
+constexpr Duration kLandsNotSoon = Duration::milliseconds(60'000);
+/// It comes back to land no sooner while others want to go where it was.
+constexpr Duration kGivesWay = Duration::milliseconds(60'000);
 
 /// Of the UAV's own, for want of anything else.
 bool waits_safely(Core& core, const executive::TaskStatus& task) {
@@ -127,12 +134,19 @@ bool is_in_closed_air(const world::Vector3& place, const world::VehicleModel& mo
   });
 }
 
-/// Whether who waits there stays in closed air, or where others are to take off or land (who is to
-/// land there goes first) or have waited long to come, and how long it does so.
-std::optional<Duration> patience_at(const world::Vector3& place, const merging::Merger& merger,
-                                    const MergingConfig& config, const AirwaySituation& situation) {
+/// Whether who waits there stays in closed air, or where others are to take off or land or have
+/// waited long to come, and how long it does so. Who is to land there itself goes first, if it can.
+std::optional<Duration> patience_at(const world::Vector3& place, const Waiting& waiting,
+                                    const merging::Merger& merger, const MergingConfig& config,
+                                    const AirwaySituation& situation) {
+  const bool over_a_pad = is_over_a_pad(merger, *config.terrain);
+  if (waiting.request.type == "land") {
+    const bool soon = situation.now < waiting.since + kLandsNotSoon;
+    const bool is_wanted = over_a_pad || is_in_the_way(merger, false);
+    return is_wanted && !soon ? std::optional(kMakesRoom) : std::nullopt;
+  }
   if (is_in_closed_air(place, config.model, situation)) return kLeavesClosedAir;
-  const bool is_wanted = is_over_a_pad(merger, *config.terrain) || is_pressed(merger);
+  const bool is_wanted = over_a_pad || is_pressed(merger);
   return is_wanted ? std::optional(kLeavesPad) : std::nullopt;
 }
 
@@ -160,6 +174,14 @@ bool leave_wait(Core& core, LeftWait& left) {
   if (!left.is(*wait)) core.vehicle().interrupt(*wait);
   left.leave(*wait);
   return true;
+}
+
+/// Whose energy does not last for it stays, and the next of the circle moves.
+bool energy_lasts_after(Core& core, const Airway& aside, const world::VehicleState& seen) {
+  const auto& knowledge = core.config().knowledge;
+  if (knowledge == nullptr || !core.deliberation().possible()) return true;
+  return ShortEnergy(*knowledge, *core.deliberation().world(), core.bus().now())
+      .lasts_after(aside, seen.energy);
 }
 
 /// Those that lead on come first, or are all.
@@ -203,15 +225,16 @@ void Merging::look_for_room() {
 /// were a circle.
 void Merging::leave_place() {
   const bool could = !waiting_->airways.empty() && !waiting_->aside_since &&
-                     !waiting_->comes_back && waiting_->request.type != "land" && vehicle_.stays();
-  const auto patience =
-      could ? patience_at(vehicle_.place(), *merger_, *core_.config().merging, situation())
-            : std::nullopt;
+                     !waiting_->comes_back && vehicle_.stays();
+  const auto patience = could ? patience_at(vehicle_.place(), *waiting_, *merger_,
+                                            *core_.config().merging, situation())
+                              : std::nullopt;
   if (!patience) return room_since_.reset();
   const MissionTime now = core_.bus().now();
   if (!room_since_) room_since_ = now;
   if (now < *room_since_ + *patience) return;
   room_since_.reset();
+  if (waiting_->request.type == "land") waiting_->gives_way_until = now + kGivesWay;
   carry_out(merging::MoveAside{{core_.config().uav}, false});
 }
 
@@ -223,8 +246,13 @@ void Merging::carry_out(const merging::MoveAside& move) {
   const bool again = waiting_->aside_since.has_value();
   const world::Vector3 place = place_.value_or(vehicle_.place());
   const merging::Volumes ends = merger_->peers().ends();
+  const auto lasts = [&](const Airway& one) {
+    return energy_lasts_after(core_, one, vehicle_.state());
+  };
   const auto places = [&](const merging::Volumes& taken, const std::vector<double>& heights) {
-    return ways_aside(own_ids_.take(), taken, *core_.config().merging, situation(), heights);
+    return ordered(
+        ways_aside(own_ids_.take(), taken, *core_.config().merging, situation(), heights), true,
+        lasts);
   };
   const auto leads = [&](const Airway& one) {
     return leads_on(one, waiting_->request, place, ends, *core_.config().merging, situation());

@@ -6,12 +6,12 @@
 
 #include "core.hpp"
 #include "merging/air_orders.hpp"
+#include "merging/short_energy.hpp"
 #include "role_ids.hpp"
 #include "skein/elementary/parameter_reader.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/mission/degree.hpp"
-#include "skein/supervisor/way_home.hpp"
 
 namespace skein::decision_node {
 
@@ -119,6 +119,15 @@ bool is_to_come_back(Core& core, const std::optional<world::Vector3>& place,
   return (*place - vehicle.place()).norm() > margins.settled;
 }
 
+/// It made room there for others, who have not come yet.
+bool gives_way(const Waiting& waiting, const world::Vector3& place, const merging::Merger& merger,
+               const merging::Margins& margins, MissionTime now) {
+  if (!waiting.gives_way_until || *waiting.gives_way_until <= now) return false;
+  const merging::Volumes there{merging::stay_at(place, margins)};
+  return std::any_of(merger.peers().begin(), merger.peers().end(),
+                     [&](const auto& one) { return overlap(there, one.second.claim().wanted); });
+}
+
 /// To the executive, which has the motion running already if it is a sweep's next portion.
 void say_it_comes(Core& core, Waiting& waiting, const std::optional<Portions>& portions) {
   waiting.said = core.bus().now();
@@ -201,6 +210,10 @@ void Merging::ask() {
   waiting_->comes_back = false;
   waiting_->asked_long = waiting_->is_long(core_.bus().now());
   if (is_to_come_back(core_, place_, waiting_->request, vehicle_, margins_)) {
+    if (gives_way(*waiting_, *place_, *merger_, margins_, core_.bus().now())) {
+      waiting_->ask_later();
+      return give(merging::Withdraw{});
+    }
     if (Airways back = flights_to(*place_, own_ids_.next(), *core_.config().merging, situation());
         !back.empty()) {
       own_ids_.take();
@@ -351,9 +364,8 @@ void Merging::look_at_energy() {
   if (!waiting_ || waiting_->airways.empty() || waiting_->aside_since || !seen.airborne) return;
   if (flies_portion()) return;
   if (core_.bus().now() < waiting_->since + kUnasked || core_.config().knowledge == nullptr) return;
-  if (!supervisor::must_come_home(seen.energy, *core_.config().knowledge, *deliberation.world(),
-                                  core_.bus().now(), seen.position))
-    return;
+  const ShortEnergy energy(*core_.config().knowledge, *deliberation.world(), core_.bus().now());
+  if (energy.lasts_longer(waiting_->airways, seen)) return;
   const std::string why = "its energy lasts no longer than to come home";
   if (longest_wait(core_, *waiting_, *merger_))
     return refuse(
@@ -362,7 +374,7 @@ void Merging::look_at_energy() {
   core_.bus().emit(
       Notice{"flies unasked: " + why + "; " + waiting_->request.type + " waited for its air"});
   give(merging::Withdraw{});
-  begin(Airway(waiting_->airways.front()), "unasked");
+  begin(Airway(energy.least_costly(waiting_->airways)), "unasked");
 }
 
 void Merging::say_it_waits() {

@@ -41,6 +41,10 @@ std::optional<MissionTime> Waiting::aside_until() const {
 
 void Waiting::cannot(const std::string& why) {
   why_not = why;
+  ask_later();
+}
+
+void Waiting::ask_later() {
   airways.clear();
   aside_since.reset();
 }

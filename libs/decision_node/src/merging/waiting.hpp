@@ -33,6 +33,8 @@ struct Waiting {
   MissionTime noted;  ///< when `noted_for` was journaled
   std::vector<std::string> noted_for;
   std::vector<std::string> in_its_way, noted_way;  ///< of these, those who have to leave first
+  /// Until then it does not come back to where others want to go, who could not while it was there.
+  std::optional<MissionTime> gives_way_until = {};
   std::string why_not;  ///< the vehicle cannot do it, as it seemed at the last look
 
   /// So long that a role's motion asks for higher ways.
@@ -46,6 +48,8 @@ struct Waiting {
 
   /// Nothing can be asked for, as the vehicle cannot do it, it seems.
   void cannot(const std::string& why);
+  /// Nothing is asked for until it is looked at again.
+  void ask_later();
   /// Journals a state of the motion; with `airway`: the air that it got, else for whom it waits.
   void note(Bus& bus, const std::string& state, const Airway* airway) const;
   /// Journals for whom it waits if that changed: at once when others stand in its way, other

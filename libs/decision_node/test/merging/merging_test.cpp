@@ -92,6 +92,7 @@ TEST(Merging, WhoStaysWhereOneIsToGoIsWaitedFor) {
 }
 
 constexpr double kJustHome = 0.115;  ///< at home; of the reserve of 10 % and a margin of 2 %
+constexpr double kJustDown = 0.105;  ///< likewise, with half of the margin
 
 TEST(Merging, WhoseEnergyLastsNoLongerThanToComeHomeGivesUpItsGoalAndDoesNotFlyThereUnasked) {
   MergedTeam team = before_a_wall();
@@ -112,6 +113,9 @@ TEST(Merging, WhoseEnergyLastsNoLongerThanToComeHomeLandsUnasked) {
   team.run(100);
   ASSERT_THAT(team.begun("heliv"), IsEmpty());
   team.drain("heliv", kJustHome);
+  team.run(1);
+  ASSERT_THAT(team.begun("heliv"), IsEmpty()) << "it has only to come down";
+  team.drain("heliv", kJustDown);
   team.run(1);
   EXPECT_THAT(team.begun("heliv"), ElementsAre(7));
   EXPECT_THAT(states(team.notes("heliv")), ::testing::Contains("unasked"));

@@ -139,20 +139,40 @@ std::optional<Vector3> Retreat::instead_of_home(const Vector3& from, double left
   return landing_place(knowledge_, world_, {now_}, from, from);
 }
 
+double Retreat::home_along(const std::vector<Vector3>& way) const {
+  const double flown = way.size() > 1 ? kUnforeseen * flight(way) : 0;
+  return flown + home(way.back());
+}
+
+double least_to_come_home(const Knowledge& knowledge, const world::World& world, MissionTime now,
+                          const std::vector<Vector3>& way) {
+  if (knowledge.vehicle.energy.capacity <= 0) return 0;
+  return Retreat(knowledge, world, now).home_along(way) + kSpareEnergy +
+         knowledge.vehicle.energy.reserve;
+}
+
 double least_to_come_home(const Knowledge& knowledge, const world::World& world, MissionTime now,
                           const Vector3& from) {
-  if (knowledge.vehicle.energy.capacity <= 0) return 0;
-  return Retreat(knowledge, world, now).home(from) + kSpareEnergy +
-         knowledge.vehicle.energy.reserve;
+  return least_to_come_home(knowledge, world, now, std::vector{from});
+}
+
+bool must_come_home(double energy, const Knowledge& knowledge, const world::World& world,
+                    MissionTime now, const std::vector<Vector3>& way) {
+  const Retreat rough = Retreat(knowledge, world, now).at_most();
+  const double beside = kSpareEnergy + knowledge.vehicle.energy.reserve;
+  if (knowledge.vehicle.energy.capacity > 0 && energy > rough.home_along(way) + beside + kRounding)
+    return false;
+  return energy <= least_to_come_home(knowledge, world, now, way);
 }
 
 bool must_come_home(double energy, const Knowledge& knowledge, const world::World& world,
                     MissionTime now, const Vector3& from) {
-  const Retreat rough = Retreat(knowledge, world, now).at_most();
-  const double beside = kSpareEnergy + knowledge.vehicle.energy.reserve;
-  if (knowledge.vehicle.energy.capacity > 0 && energy > rough.home(from) + beside + kRounding)
-    return false;
-  return energy <= least_to_come_home(knowledge, world, now, from);
+  return must_come_home(energy, knowledge, world, now, std::vector{from});
+}
+
+bool must_land(double energy, const Knowledge& knowledge, const world::World& world,
+               MissionTime now, const std::vector<Vector3>& way) {
+  return must_come_home(energy + kSpareEnergy / 2, knowledge, world, now, way);
 }
 
 std::string percent(double fraction) {

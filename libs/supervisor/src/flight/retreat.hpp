@@ -39,6 +39,9 @@ class Retreat {
   /// Energy to fly from a place in the air to a place on the ground and land there.
   double energy(const world::Vector3& from, const world::Vector3& to) const;
   double home(const world::Vector3& from) const { return energy(from, knowledge_.home); }
+  /// The same along `way` first, with the same margin, and then home from its end. Precondition: it
+  /// has a point.
+  double home_along(const std::vector<world::Vector3>& way) const;
   /// Energy to come home from the end of a plan: zero on the ground.
   double after(const Whereabouts& end) const { return end.airborne ? home(end.position) : 0; }
   /// Energy to fly along `way`, without margin.

@@ -75,24 +75,31 @@ void SafeMode::keep() {
               why_idle());
 }
 
-// What is being decided on, else what became of its last goal.
+// What is being decided on, and what waits for that; else what became of its last goal.
 std::string SafeMode::why_idle() const {
+  const auto decides = what_is_decided();
+  const Goal* last = nullptr;
+  for (const GoalId id : book_.order) {
+    const Goal& goal = book_.goals.at(id);
+    if (goal.open() && decides) return *decides + "; until then " + book_.named(id) + " waits";
+    if (goal.open()) return book_.named(id) + " waits: nothing of it may begin " + begins_from(id);
+    if (last == nullptr || goal.settled >= last->settled) last = &goal;
+  }
+  if (decides) return *decides;
+  if (last == nullptr) return "no mission was given to it";
+  const std::string why = last->why.empty() ? "" : " (" + last->why + ")";
+  return "nothing follows " + book_.named(last->task.id) + ", " +
+         std::string(to_text(last->state)) + why;
+}
+
+std::optional<std::string> SafeMode::what_is_decided() const {
   if (agenda_.needed()) return "its plan is to be repaired: " + agenda_.needed()->cause;
   if (agenda_.job() && !agenda_.job()->mission)
     return "its plan is being repaired: " + agenda_.job()->need.cause;
   if (agenda_.job()) return "mission " + to_text(*agenda_.job()->mission) + " is being planned";
   if (!agenda_.pending().empty())
     return "mission " + to_text(agenda_.pending().front().id) + " is to be planned";
-  const Goal* last = nullptr;
-  for (const GoalId id : book_.order) {
-    const Goal& goal = book_.goals.at(id);
-    if (goal.open()) return book_.named(id) + " waits: nothing of it may begin " + begins_from(id);
-    if (last == nullptr || goal.settled >= last->settled) last = &goal;
-  }
-  if (last == nullptr) return "no mission was given to it";
-  const std::string why = last->why.empty() ? "" : " (" + last->why + ")";
-  return "nothing follows " + book_.named(last->task.id) + ", " +
-         std::string(to_text(last->state)) + why;
+  return std::nullopt;
 }
 
 // "before 180 s", or "yet".

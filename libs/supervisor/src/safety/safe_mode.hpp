@@ -36,6 +36,7 @@ class SafeMode {
   void tell(const std::string& what);
   void tell_what_is_in_the_way();
   std::string why_idle() const;
+  std::optional<std::string> what_is_decided() const;
   std::string begins_from(GoalId id) const;
 
   Duration horizon_;

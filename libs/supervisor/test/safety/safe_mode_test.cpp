@@ -55,6 +55,15 @@ TEST(SafeMode, SaysWhatIsOverAndWhatItWaitsFor) {
       ElementsAre(HasSubstr("goal 702 (go 1) waits: nothing of it may begin before 300 s")));
 }
 
+// Found by missions of an outsider (184): a job of planning took 11 s, and nothing named the goal.
+TEST(SafeMode, SaysWhichGoalWaitsUntilThePlanIsRepaired) {
+  Idle rooms;
+  rooms.goals({702}).plan({TaskOf(200, "goto", 702).starts_after(300)});
+  rooms.agenda.plan_anew(std::nullopt, false, "the wind turned");
+  EXPECT_THAT(rooms.said(),
+              ElementsAre(HasSubstr("the wind turned; until then goal 702 (go 1) waits")));
+}
+
 TEST(SafeMode, OnTheGroundThereIsNothingToKeep) {
   Idle rooms;
   rooms.beliefs.see(world::VehicleState{}, {}, at(16));
