@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Requests of operators: the actions of scripts, and what only people do.
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -44,13 +43,6 @@ bool is_pair(const Reader& point) {
   return point.is_sequence() && point.items().size() == 2 && point.items()[0].is_scalar();
 }
 
-const UavSpec* spec_of(const std::string& uav, const TaskContext& context) {
-  const auto& uavs = context.scenario.uavs;
-  const auto found =
-      std::find_if(uavs.begin(), uavs.end(), [&](const UavSpec& one) { return one.name == uav; });
-  return found == uavs.end() ? nullptr : &*found;
-}
-
 std::string in_metres(double figure) { return std::to_string(std::lround(figure)); }
 
 // What its vehicle would refuse, in words for whoever steers it.
@@ -91,7 +83,7 @@ std::vector<world::Vector3> read_flat(const Reader& reader, const std::vector<Re
 OperatorDeed read_way(const Reader& reader, const TaskContext& context) {
   reader.keys({"uav", "to", "altitude"});
   ground_station::SteerTo steer{read_uav(reader, context), {}};
-  const UavSpec* uav = spec_of(steer.uav, context);
+  const UavSpec* uav = context.scenario.find_uav(steer.uav);
   steer.drives = uav != nullptr && uav->model.ground.has_value();
   const Reader to = reader.required("to");
   const bool is_list = to.is_sequence() && !to.items().empty();

@@ -9,8 +9,8 @@
 #include <csignal>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace skein::testing {
 
@@ -18,7 +18,9 @@ namespace {
 
 std::string text_in(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::ostringstream text;  // of a process that is gone no more can be read, which is no exception
+  text << in.rdbuf();
+  return text.str();
 }
 
 bool holds_within(double seconds, const std::function<bool()>& condition) {

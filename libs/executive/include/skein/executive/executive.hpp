@@ -76,10 +76,10 @@ struct Wait {
 ///                     or supervisor)
 ///   started, running  ended from its performer                       ended
 ///   started, running  aborted from its performer                     aborted
-///   started           no answer within functional_timeout            aborted (and
-///   interrupts_unanswered) started           started from its performer, which still waits
-///   started, time-out begins anew started, running  Ξ satisfied, ABORT, VUT of an incompatible
-///   aborting aborting          ended or aborted; no answer within time-out    aborted
+///   started           no answer within functional_timeout            aborted; see Config
+///   started           started from its performer, which still waits  started, time-out begins anew
+///   started, running  Ξ satisfied, ABORT, VUT of an incompatible     aborting
+///   aborting          ended or aborted; no answer within time-out    aborted
 ///
 /// Any other status changes nothing and gives a Notice. Relinquish takes tasks out of the plan
 /// without a transition. The executive itself takes a synchronise task from scheduled over started
