@@ -105,6 +105,7 @@ wire::MergeMessage to_wire(const merging::Message& message) {
   sample.wanted = to_wire(message.claim.wanted);
   sample.waits_for = message.claim.waits_for;
   sample.keeps = message.claim.keeps;
+  sample.cannot_ask = message.claim.cannot_ask;
   sample.answered = message.answered;
   sample.granted = message.granted;
   sample.asks = message.asks;
@@ -124,7 +125,7 @@ Read<merging::Message> from_wire(const wire::MergeMessage& sample) {
   merging::Message message;
   message.number = sample.number;
   message.claim = {std::move(*held), sample.request, std::move(*wanted), sample.waits_for,
-                   sample.keeps};
+                   sample.keeps, sample.cannot_ask};
   message.answered = sample.answered;
   message.granted = sample.granted;
   message.asks = sample.asks;

@@ -191,9 +191,10 @@ bool Merger::waits_longer(const Peer& peer) const {
 }
 
 /// It would stay where one wants to go that has waited long, and for somebody to leave: who waits
-/// for one out of reach gains nothing by it.
+/// for one out of reach, or who cannot ask, gains nothing by it.
 bool Merger::yields_to(const Peer& peer, const Volumes& volumes) const {
-  const bool gains = !peer.claim().waits_for.empty() || peer.claim().request != 0;
+  const bool waits = !peer.claim().waits_for.empty() || peer.claim().request != 0;
+  const bool gains = waits && !peer.claim().cannot_ask;
   return !leaves_ && !volumes.empty() && peer.reachable && gains && waits_longer(peer) &&
          overlap({volumes.back()}, peer.claim().wanted);
 }
@@ -284,6 +285,7 @@ Claim Merger::claim() const {
   const bool only_intends = request_ == 0 && !afterwards_.empty();
   claim.wanted = only_intends ? afterwards_ : choices_[request_ != 0 ? choice_ : 0];
   claim.waits_for = waits_for();
+  claim.cannot_ask = limits_.presses(wants_since_, now_) && !can_ask();
   return claim;
 }
 

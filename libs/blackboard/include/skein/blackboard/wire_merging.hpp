@@ -45,6 +45,7 @@ struct MergeMessage {
   bool granted = false;  ///< the answer
   bool asks = false;  ///< the sender expects an answer
   bool keeps = false;  ///< to the ground station: a request to keep `wanted` free in advance
+  bool cannot_ask = false;  ///< the sender has waited long, but one without whose word it gets nothing is out of its reach: it takes no precedence
   bool brief = false;  ///< air, request and `waits_for` are left out: the receiver has this version
   bool lacks = false;  ///< the sender does not have the version that the receiver left out
   std::vector<AirRow> held;  ///< reserved air: no other UAV may enter
@@ -54,6 +55,6 @@ struct MergeMessage {
   bool operator==(const MergeMessage&) const = default;
 };
 SKEIN_WIRE_FIELDS(MergeMessage, header, number, request, answered, version, known, granted, asks,
-    keeps, brief, lacks, held, wanted, waits_for, of)
+    keeps, cannot_ask, brief, lacks, held, wanted, waits_for, of)
 
 }  // namespace skein::wire

@@ -17,6 +17,9 @@ struct Claim {
   Volumes wanted;             ///< asked for by the request, or intended without one, at last (Want)
   std::vector<std::string> waits_for;  ///< members that hold some of `wanted`
   bool keeps = false;  ///< to the witness: the request is for air to be kept free (Standby)
+  /// It has waited long (Limits::pressing), and one without whose word it gets nothing is out of
+  /// its reach: it gains nothing if others let it go first.
+  bool cannot_ask = false;
   bool operator==(const Claim&) const = default;
 };
 
