@@ -142,16 +142,23 @@ class Judge {
         if (!broken) broken = *at;
         continue;
       }
-      const MissionTime until = *at + limits_.healing;
+      const bool one_way = broken && was_one_way(channel, *std::prev(at));
+      const MissionTime until =
+          *at + limits_.healing + (one_way ? limits_.next_heartbeat : Duration());
       const bool stays =
           until < end_ && (std::next(at) == instants.end() || *std::next(at) > until);
-      if (broken && *at - *broken >= limits_.noticed && stays) judge_return(channel, *broken, *at);
+      if (broken && *at - *broken >= limits_.noticed && stays)
+        judge_return(channel, *broken, *at, until);
       if (stays) broken.reset();
     }
   }
 
-  void judge_return(const Channel& channel, MissionTime broken, MissionTime healed) {
-    const MissionTime until = healed + limits_.healing;
+  bool was_one_way(const Channel& channel, MissionTime at) const {
+    return is_up(channel, at) != is_up(reversed(channel), at);
+  }
+
+  void judge_return(const Channel& channel, MissionTime broken, MissionTime healed,
+                    MissionTime until) {
     for (const Channel& one : {channel, reversed(channel)}) {
       if (mortal_.contains(one.first) || mortal_.contains(one.second)) continue;
       if (!reached_within(one, healed, until))
@@ -268,6 +275,7 @@ HealingLimits healing_limits(const scenario::Scenario& scenario) {
   limits.noticed = std::max(limits.noticed, beats + kSilenceIsSeen);
   if (loss == 0 && !scenario::narrowest(radio) && !radio.silent) {
     limits.healing = kTold + latency + latency;
+    limits.next_heartbeat = std::max(Duration(), radio.heartbeat - kTold);
     return limits;
   }
   limits.each = airtime_of_an_event(radio);

@@ -187,6 +187,21 @@ TEST(Healing, CountsACutOfOneDirection) {
               ElementsAre(HasSubstr("has not come")));
 }
 
+TEST(Healing, OfOneDirectionIsToldByTheNextHeartbeat) {
+  const auto heard_at = [](double at, bool both) {
+    HealingLimits limits;
+    limits.healing = Duration::seconds(1);
+    limits.next_heartbeat = Duration::seconds(2);
+    Log log;
+    log.cut(0, true).link(10, "a", "b", false).reach(13, "b", "a", false);
+    if (both) log.link(10, "b", "a", false).link(20, "b", "a", true);
+    return log.link(20, "a", "b", true).reach(at, "b", "a", true).breaches_within(limits);
+  };
+  EXPECT_THAT(heard_at(22.9, false), IsEmpty());
+  EXPECT_THAT(heard_at(23.1, false), ElementsAre(HasSubstr("b does not reach a")));
+  EXPECT_THAT(heard_at(22.9, true), ElementsAre(HasSubstr("b does not reach a")));
+}
+
 TEST(Healing, BeginsWhenTheLinkStays) {
   Log log;
   log.cut(0, true).cut(10).message(11, "sent", 1);
@@ -247,6 +262,10 @@ TEST(HealingLimits, FollowFromTheRadio) {
   scenario::Scenario scenario;
   scenario.radio.model.latency = Duration::seconds(0.1);
   EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(1.2));
+  EXPECT_EQ(healing_limits(scenario).next_heartbeat, Duration());
+  scenario.radio.heartbeat = Duration::seconds(2);
+  EXPECT_EQ(healing_limits(scenario).next_heartbeat, Duration::seconds(1));
+  scenario.radio.heartbeat = Duration::seconds(1);
 
   scenario.radio.silent = true;
   EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(3.2)) << "by heartbeats";

@@ -22,6 +22,10 @@ struct HealingLimits {
   /// Time after the last change of any link until routes past relays are final and waiting events
   /// have been received; also those that wait past a relay when the link is whole again.
   Duration rerouting = Duration::seconds(20);
+  /// More where one direction alone was cut and heartbeats are further apart than `healing`: who
+  /// was not heard hears the other all along, and nothing but its next one tells that the link is
+  /// back.
+  Duration next_heartbeat = {};
 };
 
 /// Limits for the scenario's radio, in virtual time: a second and the latency both ways. Where
@@ -32,8 +36,9 @@ HealingLimits healing_limits(const scenario::Scenario& scenario);
 
 /// Breaches, with their instants, of the laws on links that were down in one or both directions,
 /// and on events; by the log alone, whose `link` lines are the truth:
-/// - healed: when both directions of a pair have come back and stay, then within `healing` both
-///   nodes say that they reach the other, if they ever said that they do not;
+/// - healed: when both directions of a pair have come back and stay, then within `healing` (and
+///   `next_heartbeat`) both nodes say that they reach the other, if they ever said that they do
+///   not;
 /// - caught up: an event sent before or during the cut was received, or told to be expired or lost,
 ///   within `healing` of the return (`rerouting` where it goes past a relay then), and `each` for
 ///   each one that waited before it;
