@@ -50,8 +50,9 @@ std::optional<std::string> Partners::given_up(const std::string& uav, MissionTim
 }
 
 std::string Partners::silence_of(const std::string& uav) const {
-  return "no contact with '" + uav + "' since " +
-         std::to_string(std::lround(silent_since(uav)->to_seconds())) + " s";
+  const MissionTime since = *silent_since(uav);
+  return "no contact with '" + uav + "' since " + std::to_string(std::lround(since.to_seconds())) +
+         (since == born_ ? " s, when this node began" : " s");
 }
 
 }  // namespace skein::decision_node

@@ -42,7 +42,8 @@ class Partners {
   std::optional<MissionTime> gives_up_past_ground_at(const std::string& uav,
                                                      MissionTime waits) const;
   Duration lease() const { return lease_; }
-  /// "no contact with 'heliv' since 312 s". Precondition: it is silent.
+  /// "no contact with 'heliv' since 312 s", of who was never heard "since 0 s, when this node
+  /// began". Precondition: it is silent.
   std::string silence_of(const std::string& uav) const;
 
  private:

@@ -44,7 +44,9 @@ TEST_F(APartner, ThatFallsSilentIsGivenUpAfterItsLease) {
 }
 
 TEST_F(APartner, OfWhomNothingWasEverHeardIsSilentFromTheBeginning) {
-  EXPECT_EQ(given_up(0, 100), "no contact with 'heliv' since 0 s");
+  EXPECT_EQ(given_up(0, 100), "no contact with 'heliv' since 0 s, when this node began");
+  silent(120);
+  EXPECT_EQ(given_up(0, 130), "no contact with 'heliv' since 0 s, when this node began");
 }
 
 TEST_F(APartner, ThatIsSilentAlreadyIsWaitedForForALease) {
