@@ -10,10 +10,6 @@ namespace skein::cli {
 
 namespace {
 
-std::string asks(const std::string& nearest) {
-  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
-}
-
 const CLI::App* command_of(const CLI::App& app, const std::string& word) {
   for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; })) {
     if (one->check_name(word)) return one;
@@ -25,7 +21,7 @@ std::string no_command(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(one->get_name());
-  return "there is no command '" + word + "'" + asks(nearest_name(word, names));
+  return "there is no command '" + word + "'" + did_you_mean(nearest_name(word, names));
 }
 
 std::string no_option(const CLI::App& app, const std::string& word) {
@@ -33,7 +29,7 @@ std::string no_option(const CLI::App& app, const std::string& word) {
   for (const CLI::Option* one : app.get_options()) {
     for (const std::string& name : one->get_lnames()) names.push_back("--" + name);
   }
-  return "there is no option '" + word + "'" + asks(nearest_name(word, names));
+  return "there is no option '" + word + "'" + did_you_mean(nearest_name(word, names));
 }
 
 // Of the command or of one around it, which may stand behind its commands, too.

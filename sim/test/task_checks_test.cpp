@@ -55,13 +55,13 @@ TEST(TaskChecks, AcceptsWhatIsPossible) {
 }
 
 TEST(TaskChecks, UnknownTypesAreRefusedWithTheNearest) {
-  EXPECT_EQ(Asked()("takeof"), "unknown task type 'takeof', did you mean 'takeoff'?");
+  EXPECT_EQ(Asked()("takeof"), "unknown task type 'takeof'; did you mean 'takeoff'?");
   EXPECT_EQ(Asked()("somersault"), "unknown task type 'somersault'");
 }
 
 TEST(TaskChecks, UnknownDevicesAreRefusedWithTheNearest) {
   EXPECT_EQ(Asked()("takeshot", device("visibel")),
-            "no device 'visibel' on board, did you mean 'visible'?");
+            "no device 'visibel' on board; did you mean 'visible'?");
   EXPECT_EQ(Asked()("takeshot"), "device is missing");
 }
 
@@ -165,7 +165,7 @@ TEST(TaskChecks, APerceptionHasATimeAndMonitoringHasNone) {
   EXPECT_EQ(asked("monitor", device("visible").add("duration", 60)),
             "unknown parameter 'duration'");
   EXPECT_EQ(asked("perceive", device("visibel").add("duration", 60)),
-            "no device 'visibel' on board, did you mean 'visible'?");
+            "no device 'visibel' on board; did you mean 'visible'?");
 }
 
 TEST(TaskChecks, EveryTypeOfTheFunctionalLayerHasABehaviour) {

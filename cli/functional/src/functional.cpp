@@ -47,10 +47,9 @@ const scenario::UavSpec* uav_of(const scenario::Scenario& scenario, const std::s
                                 std::ostream& err) {
   if (name.empty() && scenario.uavs.size() == 1) return &scenario.uavs.front();
   if (const scenario::UavSpec* found = scenario.find_uav(name)) return found;
-  const std::string nearest = nearest_name(name, scenario.uav_names());
   err << scenario.file << ": "
       << (name.empty() ? "several UAVs: name one by --uav" : "no UAV '" + name + "'")
-      << (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") << '\n';
+      << did_you_mean(nearest_name(name, scenario.uav_names())) << '\n';
   return nullptr;
 }
 

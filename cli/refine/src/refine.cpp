@@ -122,11 +122,9 @@ int print_example(const std::string& service, std::ostream& out, std::ostream& e
     out << text;
     return kExitOk;
   }
-  const std::string nearest = nearest_name(service, service_names());
   err << "there is no service '" << service << "'; expected one of:";
   for (const std::string& name : service_names()) err << ' ' << name;
-  if (!nearest.empty()) err << "; did you mean '" << nearest << "'?";
-  err << '\n';
+  err << did_you_mean(nearest_name(service, service_names())) << '\n';
   return kExitBadInput;
 }
 

@@ -180,9 +180,7 @@ std::string problem_of_laws(const std::vector<std::string>& names) {
   std::string problem;
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    const std::string nearest = nearest_name(name, known);
-    problem += "--law: there is no law '" + name + "'" +
-               (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") +
+    problem += "--law: there is no law '" + name + "'" + did_you_mean(nearest_name(name, known)) +
                " (--laws lists them)\n";
   }
   return problem;

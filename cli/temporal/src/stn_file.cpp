@@ -48,9 +48,8 @@ std::optional<std::string> text_of_file(const std::string& file) {
 std::optional<temporal::Format> format_option(const std::string& name, std::ostream& err) {
   const std::optional<temporal::Format> format = temporal::format_named(name);
   if (format) return format;
-  const std::string nearest = nearest_name(name, temporal::format_names());
   err << "--to: unknown format '" << name << "'"
-      << (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") << '\n';
+      << did_you_mean(nearest_name(name, temporal::format_names())) << '\n';
   return std::nullopt;
 }
 

@@ -26,8 +26,7 @@ std::string in_quotes(std::string_view text) {
 
 std::string hint(std::string_view word, std::initializer_list<std::string_view> words) {
   const std::vector<std::string> candidates(words.begin(), words.end());
-  const std::string nearest = word.size() > kLongestQuote ? "" : nearest_name(word, candidates);
-  return nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?";
+  return word.size() > kLongestQuote ? "" : did_you_mean(nearest_name(word, candidates));
 }
 
 // What JSON allows and a trace does not, found while parsing: deep nesting, keys that come twice.

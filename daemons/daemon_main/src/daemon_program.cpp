@@ -149,9 +149,8 @@ const node::Member* find_self(const DaemonProgram& program, const Options& optio
   const node::Member* self = roster.find(name);
   if (self == nullptr || !can_be(program, self->role)) {
     const char* what = program.plays_vehicles ? "functional layer" : "UAV";
-    const std::string nearest = nearest_name(name, candidates(program, scenario));
     std::cerr << options.scenario << ": no " << what << " '" << name << "' in this scenario"
-              << (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") << '\n';
+              << did_you_mean(nearest_name(name, candidates(program, scenario))) << '\n';
     return nullptr;
   }
   if (!program.crew) return self;

@@ -33,9 +33,8 @@ class Reasons {
 Result<std::string, Failure> layer_of(const scenario::Scenario& scenario, const std::string& uav) {
   const scenario::UavSpec* found = scenario.find_uav(uav);
   if (found == nullptr) {
-    const std::string nearest = nearest_name(uav, scenario.uav_names());
     return failure("no UAV '" + uav + "' in this scenario" +
-                   (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+                   did_you_mean(nearest_name(uav, scenario.uav_names())));
   }
   const std::string& layer = found->functional;
   if (layer.empty())

@@ -17,9 +17,7 @@ void ParameterReader::names(const std::vector<std::string>& known) {
     const std::string& name = parameter.name;
     if (!seen.insert(name).second) refuse("parameter '" + name + "' is given twice");
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    const std::string nearest = nearest_name(name, known);
-    refuse("unknown parameter '" + name + "'" +
-           (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
+    refuse("unknown parameter '" + name + "'" + did_you_mean(nearest_name(name, known)));
   }
 }
 

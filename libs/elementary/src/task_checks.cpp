@@ -172,9 +172,7 @@ void check_device(const Situation& s, const std::string& device, ParameterReader
   if (world::find_sensor(s.model, device) != nullptr) return;
   std::vector<std::string> devices;
   for (const world::SensorModel& sensor : s.model.sensors) devices.push_back(sensor.device);
-  const std::string nearest = nearest_name(device, devices);
-  read.refuse("no device '" + device + "' on board" +
-              (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
+  read.refuse("no device '" + device + "' on board" + did_you_mean(nearest_name(device, devices)));
 }
 
 TakeshotTask read_shot(const Situation& s, ParameterReader& read) {
@@ -228,9 +226,7 @@ const std::map<std::string, Read>& behaviours() {
 std::string unknown(const std::string& type) {
   std::vector<std::string> known;
   for (const auto& [name, behaviour] : behaviours()) known.push_back(name);
-  const std::string nearest = nearest_name(type, known);
-  return "unknown task type '" + type + "'" +
-         (nearest.empty() ? "" : ", did you mean '" + nearest + "'?");
+  return "unknown task type '" + type + "'" + did_you_mean(nearest_name(type, known));
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(ParameterReader, CollectsEveryReason) {
   read.number("n");
 
   EXPECT_EQ(read.reasons(),
-            "unknown parameter 'spede', did you mean 'speed'?; parameter 'device' is given twice; "
+            "unknown parameter 'spede'; did you mean 'speed'?; parameter 'device' is given twice; "
             "device must be a text; waypoints must be points of three finite numbers each; "
             "n must be one number");
 }

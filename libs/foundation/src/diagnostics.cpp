@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/foundation/diagnostics.hpp"
 
+#include "skein/foundation/nearest.hpp"
 #include "skein/foundation/printable.hpp"
 
 namespace skein {
@@ -19,8 +20,7 @@ std::string to_text(const Diagnostic& d) {
   if (!d.path.empty()) text += d.path + ": ";
   text += d.message;
   if (!d.expected.empty()) text += "; expected " + d.expected;
-  if (!d.nearest.empty()) text += "; did you mean '" + d.nearest + "'?";
-  return printable(text);
+  return printable(text + did_you_mean(d.nearest));
 }
 
 std::string to_text(const Diagnostics& diagnostics) {

@@ -49,4 +49,8 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   return found;
 }
 
+std::string did_you_mean(const std::string& nearest) {
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
 }  // namespace skein

@@ -17,6 +17,12 @@ TEST(NearestName, SaysNothingWhenNothingIsNear) {
   EXPECT_EQ(nearest_name("x", {}), "");
 }
 
+TEST(NearestName, IsAskedForAtTheEndOfAMessage) {
+  EXPECT_EQ("no UAV 'helvi'" + did_you_mean(nearest_name("helvi", {"karma", "heliv"})),
+            "no UAV 'helvi'; did you mean 'heliv'?");
+  EXPECT_EQ("no UAV 'x'" + did_you_mean(nearest_name("x", {})), "no UAV 'x'");
+}
+
 TEST(NearestName, TheFirstAmongEqualsWins) { EXPECT_EQ(nearest_name("ab", {"ax", "ay"}), "ax"); }
 
 }  // namespace

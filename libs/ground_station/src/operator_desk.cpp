@@ -215,9 +215,8 @@ void OperatorDesk::take(const Answer& deed, Draft& draft) const {
     draft.effects.emplace_back(OperatorActs{deed.does});
     return;
   }
-  const std::string nearest = nearest_name(deed.does, wanted);
   draft.problems.push_back("the script does not wait for '" + deed.does + "'" +
-                           (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+                           did_you_mean(nearest_name(deed.does, wanted)));
 }
 
 void OperatorDesk::take(const JudgeAlarm& deed, Draft& draft) const {

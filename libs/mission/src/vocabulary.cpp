@@ -68,10 +68,8 @@ std::string quoted(const std::string& text) {
 
 std::string unknown(std::string_view what, const std::string& name,
                     const std::vector<std::string>& known) {
-  std::string text = "unknown " + std::string(what) + " " + quoted(name);
-  const std::string nearest =
-      name.size() > kLongestShown ? std::string() : nearest_name(name, known);
-  return nearest.empty() ? text : text + "; did you mean '" + nearest + "'?";
+  const std::string text = "unknown " + std::string(what) + " " + quoted(name);
+  return name.size() > kLongestShown ? text : text + did_you_mean(nearest_name(name, known));
 }
 
 class Check {

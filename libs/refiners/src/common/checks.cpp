@@ -58,8 +58,7 @@ Result<const world::SensorModel*, Refusal> sensor_of(const world::VehicleModel& 
   }
   std::string why =
       "the vehicle has no sensor '" + device + "'; it has " + (list.empty() ? "none" : list);
-  if (const std::string nearest = nearest_name(device, devices); !nearest.empty())
-    why += "; did you mean '" + nearest + "'?";
+  why += did_you_mean(nearest_name(device, devices));
   return refuse(RefusalKind::kBeyondVehicle, "device", std::move(why));
 }
 

@@ -98,9 +98,7 @@ std::vector<std::string> uavs_of(const Journal& journal) {
 std::optional<Failure> unknown_uav(const Journal& journal, const std::string& uav) {
   const std::vector<std::string> known = uavs_of(journal);
   if (std::find(known.begin(), known.end(), uav) != known.end()) return std::nullopt;
-  const std::string nearest = nearest_name(uav, known);
-  return Failure{"no UAV '" + uav + "' in the event log" +
-                 (nearest.empty() ? "" : "; did you mean '" + nearest + "'?")};
+  return Failure{"no UAV '" + uav + "' in the event log" + did_you_mean(nearest_name(uav, known))};
 }
 
 std::string explain_one(const Journal& journal, const Deliberation& told, const Promise& promise) {

@@ -38,9 +38,7 @@ std::optional<Vector3> HostNames::place(const TermStore& store, Term term) {
   std::vector<std::string> names;
   for (const auto& one : gazetteer_.world().places) names.push_back(one.first);
   const std::string name = Gazetteer::words(store, term);
-  const std::string nearest = nearest_name(name, names);
-  refuse("unknown place '" + name + "'" +
-         (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
+  refuse("unknown place '" + name + "'" + did_you_mean(nearest_name(name, names)));
   return at;
 }
 

@@ -132,9 +132,8 @@ class Reader {
     const auto& types = functional::TaskTypes::shipped();
     const functional::TaskType* type = types.find(task.type);
     if (type == nullptr) {
-      const std::string nearest = nearest_name(task.type, types.names());
       return "unknown type '" + task.type + "'" +
-             (nearest.empty() ? "" : ", did you mean '" + nearest + "'?");
+             did_you_mean(nearest_name(task.type, types.names()));
     }
     if (type->synchronises() && !task.synchronisation)
       return "expected (sync ID SENDERS RECEIVERS) among the parameters";

@@ -146,7 +146,7 @@ TEST(PlanningFailures, UnknownPlacesAndZonesAreNamedWithTheNearest) {
   place.task(1, "general-gotoxyz", {"tre"s});
   zone.task(1, "perform-mapping", {"Z9"s});
 
-  EXPECT_THAT(place.reasons(), HasSubstr("unknown place 'tre', did you mean 'tree'?"));
+  EXPECT_THAT(place.reasons(), HasSubstr("unknown place 'tre'; did you mean 'tree'?"));
   EXPECT_THAT(zone.reasons(), HasSubstr("unknown zone 'z9'"));
 }
 

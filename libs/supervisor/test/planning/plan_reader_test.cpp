@@ -115,7 +115,7 @@ TEST_F(PlanReaderTest, WhatATypeDoesNotAllowIsTold) {
           "(!task-goto 4 () ((type goto)) ((num 0) (num 0)) ((num 0) (num 0)) nil 1)"
           "(!stop-goto 4 ((ended 1)) () ((num 0) (num 0)) ((num 0) (num 0)) nil 1)");
 
-  EXPECT_THAT(reasons, HasSubstr("unknown type 'wiat', did you mean 'wait'?"));
+  EXPECT_THAT(reasons, HasSubstr("unknown type 'wiat'; did you mean 'wait'?"));
   EXPECT_THAT(reasons, HasSubstr("a task of type 'wait' takes no parameter 'altitude'"));
   EXPECT_THAT(reasons, HasSubstr("a task of type 'land' does not end by order"));
   EXPECT_THAT(reasons, HasSubstr("a task of type 'goto' cannot be stopped"));

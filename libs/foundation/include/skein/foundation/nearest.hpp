@@ -13,4 +13,7 @@ namespace skein {
 /// length, rounded up. Cost: O(candidates × lengths).
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
+/// "; did you mean 'nearest'?", to end a message about a wrong name with; empty without a nearest.
+std::string did_you_mean(const std::string& nearest);
+
 }  // namespace skein
