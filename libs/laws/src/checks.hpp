@@ -31,9 +31,10 @@ struct Look {
 /// The part of a zone that was in view during one of `looks` at some time, [0, 1].
 double part_in_view(const History& history, const std::vector<Look>& looks,
                     const world::Polygon& zone);
-/// The part that was in view during one of `some` and during one of `others`, [0, 1].
-double part_in_both_views(const History& history, const std::vector<Look>& some,
-                          const std::vector<Look>& others, const world::Polygon& zone);
+/// The part that was in view during one of `some` and during one of `others`, [0, 1], where that is
+/// wider than both see to one side together: so much do both see along a border of their parts.
+double part_mapped_twice(const History& history, const std::vector<Look>& some,
+                         const std::vector<Look>& others, const world::Polygon& zone);
 // synchronisation.cpp
 std::vector<Violation> synchronisations_apart(const History& history);
 std::vector<Violation> partners_too_near(const History& history);

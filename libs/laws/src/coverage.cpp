@@ -2,8 +2,10 @@
 // Detection and mapping, by the footprint of the sensor over the ground from where it really flew.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "checks.hpp"
+#include "skein/world/segment.hpp"
 #include "skein/world/sensor_model.hpp"
 #include "statement.hpp"
 
@@ -84,11 +86,14 @@ double seconds_over(const History& history, const Uav& uav, const Goal& goal,
   return seconds;
 }
 
-/// Of cells over the zone, which were in view during one of `looks`.
+/// Of the middle points of cells over a zone.
+double side_of_cells(const world::Polygon& zone) {
+  return std::max(3.0, std::sqrt(world::area(zone) / 1500));
+}
+
+/// Which of the cells were in view during one of `looks`.
 std::vector<bool> cells_seen(const History& history, const std::vector<Look>& looks,
-                             const world::Polygon& zone) {
-  const double side = std::max(3.0, std::sqrt(world::area(zone) / 1500));
-  const std::vector<world::Vector3> cells = cells_of(history, zone, side);
+                             const std::vector<world::Vector3>& cells) {
   std::vector<bool> seen(cells.size(), false);
   along(history, looks, [&](const world::View& view) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -98,22 +103,74 @@ std::vector<bool> cells_seen(const History& history, const std::vector<Look>& lo
   return seen;
 }
 
+/// How far beside the way of the view it lies; ahead of one that looks straight down is everywhere.
+double beside(const world::View& view, const world::Vector3& cell) {
+  constexpr double kLooksDown = 0.05;
+  const world::Vector2 ahead = view.direction.head<2>(), off = (cell - view.viewpoint).head<2>();
+  if (ahead.norm() < kLooksDown) return off.norm();
+  return std::abs(off.x() * ahead.y() - off.y() * ahead.x()) / ahead.norm();
+}
+
+/// How far to the side cells were in view at the most [m].
+double reach_of(const History& history, const std::vector<Look>& looks,
+                const std::vector<world::Vector3>& cells) {
+  double reach = 0;
+  along(history, looks, [&](const world::View& view) {
+    for (const world::Vector3& cell : cells) {
+      const double side = beside(view, cell);
+      if (side > reach && world::in_view(view, cell)) reach = side;
+    }
+  });
+  return reach;
+}
+
+double to_border(const world::Polygon& zone, const world::Vector3& cell) {
+  const world::Vector2 at = cell.head<2>();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < zone.size(); ++i)
+    least = std::min(least, world::to_segment(at, zone[i], zone[(i + 1) % zone.size()]));
+  return least;
+}
+
+/// How many of the marked cells lie in a disc of that radius within the zone, all of which is
+/// marked.
+double in_marked_discs(const world::Polygon& zone, const std::vector<world::Vector3>& cells,
+                       const std::vector<bool>& marked, double radius) {
+  const auto near = [&](std::size_t i, std::size_t j) {
+    return (cells[i] - cells[j]).head<2>().norm() <= radius;
+  };
+  std::vector<bool> in_disc(cells.size(), false);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    bool whole = marked[i] && to_border(zone, cells[i]) >= radius;
+    for (std::size_t j = 0; whole && j < cells.size(); ++j) whole = marked[j] || !near(i, j);
+    for (std::size_t j = 0; whole && j < cells.size(); ++j)
+      if (near(i, j)) in_disc[j] = true;
+  }
+  return static_cast<double>(std::count(in_disc.begin(), in_disc.end(), true));
+}
+
 }  // namespace
 
 double part_in_view(const History& history, const std::vector<Look>& looks,
                     const world::Polygon& zone) {
-  const std::vector<bool> seen = cells_seen(history, looks, zone);
+  const std::vector<bool> seen =
+      cells_seen(history, looks, cells_of(history, zone, side_of_cells(zone)));
   const auto count = std::count(seen.begin(), seen.end(), true);
   return seen.empty() ? 1 : static_cast<double>(count) / static_cast<double>(seen.size());
 }
 
-double part_in_both_views(const History& history, const std::vector<Look>& some,
-                          const std::vector<Look>& others, const world::Polygon& zone) {
-  const std::vector<bool> one = cells_seen(history, some, zone);
-  const std::vector<bool> other = cells_seen(history, others, zone);
-  double both = 0;
-  for (std::size_t i = 0; i < one.size(); ++i) both += one[i] && other[i] ? 1 : 0;
-  return one.empty() ? 0 : both / static_cast<double>(one.size());
+double part_mapped_twice(const History& history, const std::vector<Look>& some,
+                         const std::vector<Look>& others, const world::Polygon& zone) {
+  constexpr double kCells = 1.5;  // what the middle points of cells are off at both sides
+  const double side = side_of_cells(zone);
+  const std::vector<world::Vector3> cells = cells_of(history, zone, side);
+  std::vector<bool> both = cells_seen(history, some, cells);
+  const std::vector<bool> other = cells_seen(history, others, cells);
+  for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] && other[i];
+  if (std::none_of(both.begin(), both.end(), [](bool it) { return it; })) return 0;
+  const double border = reach_of(history, some, cells) + reach_of(history, others, cells);
+  return in_marked_discs(zone, cells, both, border / 2 + kCells * side) /
+         static_cast<double>(cells.size());
 }
 
 std::optional<double> seconds_detected(const History& history, const Uav& uav, const Goal& goal) {

@@ -343,7 +343,7 @@ std::pair<double, std::string> mapped_by_both(const History& history, const Held
   for (const std::string& area : shared_areas(history, variant)) {
     const world::Zone* zone = history.zone(arguments.at(area));
     if (zone == nullptr) continue;
-    most = std::max(most, {part_in_both_views(history, mine, theirs, zone->polygon), zone->name});
+    most = std::max(most, {part_mapped_twice(history, mine, theirs, zone->polygon), zone->name});
   }
   return most;
 }

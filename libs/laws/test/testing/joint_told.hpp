@@ -107,7 +107,11 @@ class Told {
             .uav = uav, .joint = kJoint, .role = "watch", .position = position, .scms = scm});
   }
   Told& is_at(const std::string& uav, const world::Vector3& position) {
-    at_[uav] = position;
+    return is_along(uav, {{0, position}, {1000, position}});
+  }
+  /// Straight from each place to the next, which it is at then.
+  Told& is_along(const std::string& uav, std::vector<std::pair<double, world::Vector3>> way) {
+    at_[uav] = std::move(way);
     return *this;
   }
   /// Where sensors say that a thing is.
@@ -184,8 +188,8 @@ class Told {
       if (goals_.contains(spec.name)) uav.goals[70] = goals_.at(spec.name);
       const auto at = at_.find(spec.name);
       if (at == at_.end()) continue;
-      for (const double instant : {0.0, 1000.0}) {
-        uav.samples.push_back({instant, at->second});
+      for (const auto& [instant, position] : at->second) {
+        uav.samples.push_back({instant, position});
         uav.samples.back().airborne = airborne_;
       }
     }
@@ -217,7 +221,7 @@ class Told {
   scenario::Scenario scenario_;
   std::map<std::string, std::vector<Activity>> activities_;
   std::map<std::string, Goal> goals_;
-  std::map<std::string, world::Vector3> at_;
+  std::map<std::string, std::vector<std::pair<double, world::Vector3>>> at_;
   bool airborne_ = false;
   std::vector<ObjectTold> seen_;
   std::map<std::string, std::vector<std::pair<double, double>>> away_;
