@@ -9,6 +9,17 @@
 
 namespace skein::merging {
 
+namespace {
+
+/// It waits for one out of reach to leave, who may have told the witness since that it has left.
+bool waits_beyond_reach(const Waits& waits, const Peers& peers) {
+  const auto names = waits.to_leave();
+  return std::any_of(names.begin(), names.end(),
+                     [&](const auto& name) { return !peers.find(name)->reachable; });
+}
+
+}  // namespace
+
 Merger::Merger(const std::vector<std::string>& members, const std::string& self, Limits limits,
                const std::string& witness)
     : self_(self),
@@ -141,7 +152,7 @@ void Merger::on(const Withdraw&) {
   if (waits() || !afterwards_.empty()) changed_ = true;
   choices_.clear();
   afterwards_.clear();
-  told_.whys.clear();
+  told_ = {};
   wants_since_.reset();
   circle_since_.reset();
 }
@@ -270,7 +281,7 @@ void Merger::grant() {
   held_.insert(held_.end(), volumes.begin(), volumes.end());
   request_ = 0;
   choices_.clear();
-  told_.whys.clear();
+  told_ = {};
   if (afterwards_.empty()) wants_since_.reset();
   circle_since_.reset();
   changed_ = true;
@@ -299,13 +310,6 @@ void Merger::tell(const std::string& name, bool asks) {
   out_.push_back(Tell{name, std::move(message)});
 }
 
-/// It waits for one out of reach to leave, who may have told the witness since that it has left.
-bool Merger::follows() const {
-  const auto names = told_.to_leave();
-  return std::any_of(names.begin(), names.end(),
-                     [&](const auto& name) { return !peers_.find(name)->reachable; });
-}
-
 /// One request at a time: what is asked for now, or else what is to be kept.
 void Merger::tell_witness(bool asks) {
   if (!third_ || !third_->reachable) return;
@@ -314,7 +318,7 @@ void Merger::tell_witness(bool asks) {
     standby_.replace(now_);
   } else {
     if (standby_.is_due(now_)) standby_.ask(requests_.next(now_), now_);
-    asks = asks || follows();
+    asks = asks || waits_beyond_reach(told_, peers_);
     told.keeps = standby_.request() != 0;
     if (told.keeps) {
       told.request = standby_.request();

@@ -76,11 +76,23 @@ std::vector<Waits::Why> Merger::whys() const {
   return result;
 }
 
+std::vector<Waits::Why> Merger::whys_afterwards() const {
+  std::vector<Waits::Why> result;
+  for (const auto& [name, peer] : peers_) {
+    if (has(peer, afterwards_)) {
+      result.push_back({name, Awaited::kToLeave});
+    } else if (yields_to(peer, afterwards_)) {
+      result.push_back({name, Awaited::kToGoFirst});
+    }
+  }
+  return result;
+}
+
 void Merger::say_waits() {
-  const std::vector<Waits::Why> now = whys();
-  if (now == told_.whys || now.empty()) return;
-  told_.whys = now;
-  changed_ = true;
+  Waits now{whys(), whys_afterwards()};
+  if (now == told_ || now.whys.empty()) return;
+  changed_ = changed_ || now.whys != told_.whys;
+  told_ = std::move(now);
   out_.push_back(told_);
 }
 
@@ -88,10 +100,8 @@ void Merger::say_waits() {
 /// sees that it stands.
 std::vector<std::string> Merger::waits_for() const {
   std::vector<std::string> names = told_.in_its_way();
-  for (const auto& [name, peer] : peers_) {
-    const bool stands = has(peer, afterwards_) || yields_to(peer, afterwards_);
-    if (stands && !is_among(names, name)) names.push_back(name);
-  }
+  for (const Waits::Why& why : whys_afterwards())
+    if (!is_among(names, why.peer)) names.push_back(why.peer);
   return names;
 }
 

@@ -240,6 +240,25 @@ TEST(Merger, WhoFindsNoAirToMoveToTellsWhatItWantsAfterwards) {
   EXPECT_TRUE(overlap(net.member(kA).peers().others(), {stretch(40, 60)}));
 }
 
+// Found by random missions (--crossing 2001083): the log said all the while that it waits for one
+// that had left.
+TEST(Merger, WhoAsksToGetOutOfTheWayKnowsWhoStandsInItsOwn) {
+  Net net({kA, kB, kC});
+  net.stands(kA, place(0));
+  net.stands(kB, place(50));
+  net.stands(kC, place(100));
+  net.run_for(0.1);
+  net.give(kA, Want{{{place(50)}}, {stretch(0, 100)}});
+  net.run_for(2);
+  expect_why(net, kA, kB, Awaited::kToLeave);
+  const auto to_leave = [](const std::string& who) { return Waits::Why{who, Awaited::kToLeave}; };
+  EXPECT_THAT(net.member(kA).awaited().afterwards, ElementsAre(to_leave(kB), to_leave(kC)));
+
+  net.stands(kC, place(200));
+  net.run_for(1);
+  EXPECT_THAT(net.member(kA).awaited().afterwards, ElementsAre(to_leave(kB)));
+}
+
 TEST(Merger, WaitingForOneThatOnlyStaysIsNoCircle) {
   Net net({kA, kB});
   net.stands(kA, place(0));

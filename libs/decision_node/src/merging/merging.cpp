@@ -462,13 +462,7 @@ void Merging::carry_out(const merging::Granted& granted) {
 
 void Merging::carry_out(const merging::Waits& waits) {
   if (!waiting_) return;
-  std::vector<std::string> now_for;
-  for (const merging::Waits::Why& one : waits.whys)
-    now_for.push_back(one.peer + " " + std::string(to_text(one.what)));
-  if (!waiting_->aside_since) {
-    waiting_->waits_for = std::move(now_for);
-    waiting_->in_its_way = waits.in_its_way();
-  }
+  waiting_->wait_for(waits);
   if (!flies_portion()) waiting_->note_waits(core_.bus());
 }
 

@@ -49,6 +49,15 @@ void Waiting::ask_later() {
   aside_since.reset();
 }
 
+void Waiting::wait_for(const merging::Waits& waits) {
+  if (makes_room) return;
+  const std::vector<merging::Waits::Why>& whys = aside_since ? waits.afterwards : waits.whys;
+  waits_for.clear();
+  for (const merging::Waits::Why& one : whys)
+    waits_for.push_back(one.peer + " " + std::string(to_text(one.what)));
+  in_its_way = merging::Waits{whys, {}}.in_its_way();
+}
+
 void Waiting::note(Bus& bus, const std::string& state, const Airway* airway) const {
   AirNoted noted_now{request.id, request.type, state, {}, 0, {}, {}};
   noted_now.waited = bus.now() - since;

@@ -8,6 +8,7 @@
 
 #include "bus.hpp"
 #include "merging/airways.hpp"
+#include "skein/merging/merger.hpp"
 
 namespace skein::decision_node {
 
@@ -50,6 +51,8 @@ struct Waiting {
   void cannot(const std::string& why);
   /// Nothing is asked for until it is looked at again.
   void ask_later();
+  /// Whom it waits for; while it asks to get out of the way: for the air that it wants afterwards.
+  void wait_for(const merging::Waits& waits);
   /// Journals a state of the motion; with `airway`: the air that it got, else for whom it waits.
   void note(Bus& bus, const std::string& state, const Airway* airway) const;
   /// Journals for whom it waits if that changed: at once when others stand in its way, other

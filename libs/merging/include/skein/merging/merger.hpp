@@ -92,11 +92,13 @@ struct Waits {
     bool operator==(const Why&) const = default;
   };
   std::vector<Why> whys;
+  std::vector<Why> afterwards = {};  ///< who is in the way of what it wants afterwards (Want)
 
   /// Peers that have to leave.
   std::vector<std::string> to_leave() const;
   /// The same, and those that have precedence since they have waited long.
   std::vector<std::string> in_its_way() const;
+  bool operator==(const Waits&) const = default;
 };
 /// Members wait for each other in a circle, and this UAV has to break it: it should want to move
 /// somewhere else first, and then its original way again.
@@ -211,6 +213,7 @@ class Merger {
   void close(Duration pause);
   void grant();
   std::vector<Waits::Why> whys() const;
+  std::vector<Waits::Why> whys_afterwards() const;
   std::vector<std::string> waits_for() const;
   void say_waits();
   void look_for_circle();
@@ -220,7 +223,6 @@ class Merger {
   bool waits_longer(const Peer& peer) const;
   void tell(const std::string& name, bool asks);
   void tell_witness(bool asks);
-  bool follows() const;
   void tell_again();
   void tell_all();
   void ask_again();
