@@ -77,6 +77,7 @@ std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
     one.executive.idle_type = "wait";
     one.executive.functional_timeout = defaults.functional_timeout;
     one.executive.interrupts_unanswered = true;
+    one.executive.last_urgent_counts = true;
     one.executive.sync_validity = scenario_setup::kSyncValidity;
     config.uavs.push_back(std::move(one));
   }

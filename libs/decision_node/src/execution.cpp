@@ -19,6 +19,7 @@ executive::Config executive_config(const Config& config) {
   result.name = config.uav;
   result.functional_timeout = config.functional_timeout;
   result.interrupts_unanswered = true;
+  result.last_urgent_counts = true;
   result.sync_validity = config.sync_validity;
   result.background_type = config.background_type;
   result.idle_type = kIdleType;
@@ -38,12 +39,14 @@ executive::Input input_of(const mission::Request& request) {
       request);
 }
 
-/// An own task gives way to one of others that starts.
+/// An own task gives way to one of others that starts, or leaves its place to it.
 bool is_displaced(const executive::TaskEvent& event, const executive::Input& cause) {
   const bool own = is_own(event.id) && event.id < functional::kFirstBackgroundId;
   const auto* start = std::get_if<executive::Start>(&cause);
-  return own && event.state == executive::TaskState::kAborting && start != nullptr &&
-         !is_own(start->task.id);
+  if (!own || start == nullptr || is_own(start->task.id)) return false;
+  const bool urgent = start->mode == executive::InsertionMode::kVut;
+  return event.state == executive::TaskState::kAborting ||
+         (urgent && event.state == executive::TaskState::kAborted);
 }
 
 }  // namespace
@@ -189,8 +192,7 @@ std::optional<functional::TaskId> Execution::not_given_back(const executive::Inp
 
 bool Execution::gives_way(executive::TaskId id) const {
   const auto task = executive_.find(id);
-  return task && task->type == kIdleType && task->parameters.find("duration") == nullptr &&
-         executive_.exit_conditions(id).empty();
+  return task && task->gives_way;
 }
 
 // ---- what the executive asks for ----

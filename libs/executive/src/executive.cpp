@@ -39,7 +39,7 @@ std::optional<TaskView> Executive::find(TaskId id) const {
   if (!slot) return std::nullopt;
   const TaskRecord& record = core_->plan()[*slot];
   return TaskView{record.id,    record.type,   record.parameters, record.synchronisation.get(),
-                  record.state, record.reason, record.cause};
+                  record.state, record.reason, record.cause,      record.idle};
 }
 
 Formula Executive::preconditions(TaskId id) const {

@@ -98,8 +98,14 @@ void Executive::Core::on(const Start& request) {
 }
 
 // Interrupts what is incompatible and under way, and waits for it, also for what is aborting.
+// Urgent ones that wait, too, it replaces if it is to.
 void Executive::Core::make_urgent(Slot slot) {
   TaskRecord& urgent = plan_[slot];
+  if (config_.last_urgent_counts) {
+    for (const TaskId id : urgents_.in_place_of(urgent, plan_))
+      set_state(*plan_.find(id), TaskState::kAborted,
+                "urgent task " + to_text(urgent.id) + " takes its place");
+  }
   const std::set<TaskId> blockers = resources_.users_of(urgent.resources);
   urgents_.enter(urgent, slot, blockers, urgent.uses(motion_));
   if (blockers.empty()) return;

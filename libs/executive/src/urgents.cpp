@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "urgents.hpp"
 
+#include <algorithm>
+
 namespace skein::executive {
 
 void Urgents::enter(TaskRecord& record, Plan::Slot slot, const std::set<TaskId>& blockers,
                     bool moves) {
   record.blockers = static_cast<std::uint32_t>(blockers.size());
+  waiting_.insert(record.id);
   if (moves) to_move_.insert(record.id);
   if (blockers.empty()) return ready_.push(record.id, slot);
   for (const TaskId id : blockers) waiting_for_[id].push_back(record.id);
@@ -27,6 +30,16 @@ void Urgents::over(TaskId blocker, Plan& plan) {
   waiting_for_.erase(waiting);
 }
 
+std::vector<TaskId> Urgents::in_place_of(const TaskRecord& last, const Plan& plan) const {
+  std::vector<TaskId> all;
+  for (const TaskId id : waiting_) {
+    const auto& used = plan[*plan.find(id)].resources;
+    if (std::any_of(used.begin(), used.end(), [&](auto resource) { return last.uses(resource); }))
+      all.push_back(id);
+  }
+  return all;
+}
+
 std::optional<Plan::Slot> Urgents::take(const Plan& plan) {
   return ready_.take(plan, [](const TaskRecord& record) {
     return record.urgent && record.state == TaskState::kScheduled && record.blockers == 0;
@@ -34,7 +47,10 @@ std::optional<Plan::Slot> Urgents::take(const Plan& plan) {
 }
 
 void Urgents::leave(TaskRecord& record) {
-  if (record.urgent) to_move_.erase(record.id);
+  if (record.urgent) {
+    waiting_.erase(record.id);
+    to_move_.erase(record.id);
+  }
   record.urgent = false;
 }
 

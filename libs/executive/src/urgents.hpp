@@ -29,12 +29,16 @@ class Urgents {
   void leave(TaskRecord& record);
   /// The task was handed over to another executive (Relinquish).
   void let_go(TaskId task);
+  /// Those that were inserted before it, are not dispatched yet, and use a resource of it; in the
+  /// order of their ids.
+  std::vector<TaskId> in_place_of(const TaskRecord& last, const Plan& plan) const;
   /// Whether some urgent task uses kMotion.
   bool any_to_move() const { return !to_move_.empty(); }
 
  private:
   ReadyQueue ready_;
   std::unordered_map<TaskId, std::vector<TaskId>> waiting_for_;  ///< blocker → urgent tasks
+  std::set<TaskId> waiting_;
   std::set<TaskId> to_move_;
 };
 

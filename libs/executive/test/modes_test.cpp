@@ -88,6 +88,16 @@ TEST(IdleTask, StaysBesideWhatNeedsNothingOfIt) {
               ElementsAre("2 scheduled", "2 started", "dispatch 2"));
 }
 
+TEST(IdleTask, IsSeenToGiveWay) {
+  Mission mission = waiting();
+  mission.start(TaskOf(2, "takeshot"));
+
+  EXPECT_TRUE(mission.executive.find(TaskId{1})->gives_way);
+  EXPECT_FALSE(mission.executive.find(TaskId{2})->gives_way);
+  mission.update(1, std::nullopt, Formula{{cm("stop")}});
+  EXPECT_FALSE(mission.executive.find(TaskId{1})->gives_way) << "it has an end now";
+}
+
 TEST(IdleTask, IsNoneThatEndsByItselfOrHasNotBegun) {
   Task lasts = TaskOf(1, "wait");
   lasts.parameters.add(Parameter{"duration", {}, {20}});
@@ -254,6 +264,48 @@ TEST(InsertionMode, TwoUrgentTasksGoByIdWhenTheSameTaskFreesThem) {
 
   EXPECT_THAT(mission.aborted(1),
               ElementsAre("1 aborted", "2 started", "dispatch 2", "4 started", "dispatch 4"));
+}
+
+// --- urgent ones that wait together ---
+
+Mission where_the_last_counts() {
+  Config config = testing::named("marvin");
+  config.last_urgent_counts = true;
+  return Mission(config);
+}
+
+// Found by an outsider's missions over DDS, in which an operator changed his mind during a cut:
+// each was dispatched once the first flight was over, and the vehicle took one of them.
+TEST(LastUrgent, TakesThePlaceOfOneThatStillWaits) {
+  Mission mission = where_the_last_counts();
+  mission.start(TaskOf(1, "goto"));
+  mission.start(TaskOf(5, "land"), kVut);
+
+  EXPECT_THAT(mission.start(TaskOf(3, "goto"), kVut), ElementsAre("3 scheduled", "5 aborted"));
+  EXPECT_EQ(mission.reason_of(5), "urgent task 3 takes its place");
+  EXPECT_THAT(mission.aborted(1), ElementsAre("1 aborted", "3 started", "dispatch 3"));
+}
+
+TEST(LastUrgent, TakesItBeforeItInterruptsWhatIsUnderWay) {
+  Mission mission = where_the_last_counts();
+  mission.start(TaskOf(1, "takeshot").device("camera"));
+  mission.start(TaskOf(2, "perceive").device("camera"), kVut);
+  mission.start(TaskOf(3, "goto"));
+
+  EXPECT_THAT(mission.start(TaskOf(4, "land"), kVut),
+              ElementsAre("4 scheduled", "2 aborted", "3 aborting", "interrupt 3"));
+}
+
+TEST(LastUrgent, LeavesWhatNeedsNothingOfItAndWhatIsNotUrgent) {
+  Mission mission = where_the_last_counts();
+  mission.start(TaskOf(1, "takeshot").device("camera"));
+  mission.start(TaskOf(2, "takeshot").device("camera"), kVut);
+  mission.start(TaskOf(3, "goto").pre({cm("go")}));
+
+  EXPECT_THAT(mission.start(TaskOf(4, "land"), kVut),
+              ElementsAre("4 scheduled", "4 started", "dispatch 4"));
+  EXPECT_THAT(mission.aborted(1), ElementsAre("1 aborted", "2 started", "dispatch 2"));
+  EXPECT_EQ(mission.state_of(3), kScheduled);
 }
 
 // --- incompatibility (spec 2.5) ---

@@ -23,6 +23,7 @@ Config config_for(std::uint64_t seed) {
   config.urgent_wait = Duration::seconds(4);
   if (seed % 3 == 0) config.functional_timeout = Duration::seconds(5);
   config.interrupts_unanswered = seed % 2 == 0;
+  config.last_urgent_counts = seed % 7 < 3;
   if (seed % 5 < 3) config.sync_validity = Duration::seconds(6);
   return config;
 }
@@ -133,6 +134,41 @@ RC_GTEST_PROP(Executive, NoTaskLeavesATerminalStateNorSkipsTheTable, ()) {
     // What another executive took over may come back, as a new task.
     if (!std::holds_alternative<Relinquish>(input)) continue;
     std::erase_if(states, [](const auto& one) { return !is_terminal(one.second); });
+  }
+}
+
+// Whoever gives motions, and changes his mind: what the vehicle is asked for last is alone with it.
+RC_GTEST_PROP(Executive, NoUrgentMotionIsDispatchedBesideOneThatIsNotInterrupted, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  Config config = config_for(1);
+  config.last_urgent_counts = true;
+  Executive executive(config);
+  std::set<TaskId> moving;
+  const auto see = [&](const Effects& effects) {
+    for (const Effect& effect : effects) {
+      if (const auto* dispatch = std::get_if<Dispatch>(&effect))
+        RC_ASSERT(moving.insert(dispatch->id).second && moving.size() == 1);
+      if (const auto* event = std::get_if<TaskEvent>(&effect))
+        if (event->state == TaskState::kAborting || is_terminal(event->state))
+          moving.erase(event->id);
+    }
+  };
+
+  double at = 0;
+  for (std::uint64_t given = 0; given < 40; at += static_cast<double>(random.below(4))) {
+    const MissionTime now = MissionTime::seconds(at);
+    if (random.chance(0.5)) {
+      // In no order of ids: the operator's ways have some of their own.
+      const TaskId id{1 + given + (random.chance(0.5) ? 1000 : 0)};
+      ++given;
+      const char* type = random.chance(0.5) ? "goto" : "land";
+      see(executive.handle(Start{Task{id, type, {}, {}, {}, {}}, InsertionMode::kVut}, now));
+    } else {
+      const TaskState state = random.chance(0.5) ? TaskState::kRunning : TaskState::kAborted;
+      const std::vector<TaskStatus> all = executive.tasks();
+      if (all.empty()) continue;
+      see(executive.handle(FunctionalStatus{all[random.below(all.size())].id, state, ""}, now));
+    }
   }
 }
 

@@ -235,18 +235,6 @@ void OperatorDesk::take(const JudgeAlarm& deed, Draft& draft) const {
   }
 }
 
-// An earlier way that waits until what it displaces has stopped, out of reach of the vehicle for
-// instance: both would be asked for as soon as there is contact, and the vehicle flies the first.
-std::vector<executive::TaskId> OperatorDesk::ways_that_wait(const UavOnBoard& uav) {
-  std::vector<executive::TaskId> result;
-  for (const executive::TaskId id : uav.tasks.open()) {
-    const TaskOnBoard* task = uav.tasks.kept(id);
-    const bool waits = task != nullptr && task->state == executive::TaskState::kScheduled;
-    if (functional::is_of_steering(id) && waits) result.push_back(id);
-  }
-  return result;
-}
-
 void OperatorDesk::take(const SteerTo& deed, Draft& draft) const {
   const UavOnBoard* uav = find(draft, deed.uav);
   if (deed.points.empty()) draft.problems.emplace_back("a way has points");
@@ -262,12 +250,8 @@ void OperatorDesk::take(const SteerTo& deed, Draft& draft) const {
   way.task.type = "goto";
   way.mode = executive::InsertionMode::kVut;
   way.targets = {{AtPoints{deed.points}, "waypoints"}};
-  std::vector<Action> actions;
-  const auto replaced = ways_that_wait(*uav);
-  if (!replaced.empty()) actions.emplace_back(AbortTasks{deed.uav, replaced});
-  actions.emplace_back(SendPlan{deed.uav, {way}});
-  draft.effects.emplace_back(
-      DoActions{std::move(actions), tag_of(draft.request.who, draft.request.number)});
+  draft.effects.emplace_back(DoActions{{Action(SendPlan{deed.uav, {way}})},
+                                       tag_of(draft.request.who, draft.request.number)});
 }
 
 std::vector<OperatorDesk::Effect> OperatorDesk::wake(MissionTime now) {

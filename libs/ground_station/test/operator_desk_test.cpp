@@ -195,25 +195,6 @@ TEST_F(Desk, SteersAUavInHandAtOnceWithTasksOfItsOwn) {
   EXPECT_EQ(second.commands[0].what, "START 390000001 goto");
 }
 
-// Found by an outsider's missions over DDS, where a link flapped meanwhile: the second way was
-// refused by the vehicle, which flew the first.
-TEST_F(Desk, SteersByTheLastWayThoughAnEarlierOneStillWaits) {
-  world::Telemetry flying;
-  flying.uav = "marvin";
-  flying.state.airborne = true;
-  ground_.handle(flying, at(0));
-  ask(request("ada", 1, {take("marvin")}), 1);
-  ground_.handle(HandOverReceived{"marvin", {1, {}, {}}, at(1)}, at(1));
-  ask(request("ada", 2, {SteerTo{"marvin", {{1, 2, 30}}}}), 2);
-  ask(request("ada", 3, {SteerTo{"marvin", {{3, 4, 30}}}}), 3);
-
-  const OperatorAnswered last = ask(request("ada", 4, {SteerTo{"marvin", {{5, 6, 30}}}}), 4);
-
-  ASSERT_THAT(last.commands, SizeIs(2));
-  EXPECT_EQ(last.commands[0].what, "ABORT 390000001") << "390000000 is being interrupted";
-  EXPECT_EQ(last.commands[1].what, "START 390000002 goto");
-}
-
 // What drives never is in the air.
 TEST_F(Desk, SteersWhatDrivesWhereItStands) {
   const SteerTo way{"marvin", {{1, 2, 0}}};

@@ -276,12 +276,18 @@ class NaiveExecutive {
     tell(kept);
     if (kept.urgent) displace(kept);
   }
+  bool shares(const Entry& one, const Entry& other) const {
+    return std::any_of(one.resources.begin(), one.resources.end(),
+                       [&](const auto& r) { return other.resources.count(r) > 0; });
+  }
   void displace(Entry& urgent) {
+    if (config_.last_urgent_counts) {
+      for (auto& [id, o] : tasks_)
+        if (&o != &urgent && o.waits() && o.urgent && shares(o, urgent)) go(o, TaskState::kAborted);
+    }
     std::vector<Entry*> to_stop;
     for (auto& [id, o] : tasks_) {
-      const bool shares = std::any_of(o.resources.begin(), o.resources.end(),
-                                      [&](const auto& r) { return urgent.resources.count(r) > 0; });
-      if (!shares || !is_active(o.state)) continue;
+      if (!shares(o, urgent) || !is_active(o.state)) continue;
       urgent.blockers.insert(id);
       if (o.state != TaskState::kAborting) to_stop.push_back(&o);
     }

@@ -33,6 +33,9 @@ struct Config {
   /// A task that is aborted for want of an answer is interrupted, too, in case its performer has
   /// the dispatch by then, or gets it later.
   bool interrupts_unanswered = false;
+  /// An urgent task takes the place of incompatible urgent ones before it that still wait: they are
+  /// aborted. Otherwise each is dispatched once what it displaced is over.
+  bool last_urgent_counts = false;
 };
 
 /// One line of a status board.
@@ -54,6 +57,8 @@ struct TaskView {
   TaskState state;
   const std::string& reason;
   AbortCause cause;
+  bool
+      gives_way;  ///< of Config::idle_type, without an end: interrupted by what needs its resources
 };
 
 /// A running synchronisation task that waits for partners.
@@ -71,7 +76,9 @@ struct Wait {
 ///   (new)             START, coherent                                scheduled
 ///   (new)             START, incoherent                              aborted
 ///   scheduled         Π satisfied, or urgent and free to go          started
-///   scheduled         Π false for ever, Ξ satisfied, ABORT           aborted
+///   scheduled         Π false for ever, Ξ satisfied, ABORT; an       aborted
+///                     incompatible VUT of one that is urgent, too:
+///                     see Config
 ///   started           running from its performer (functional layer   running
 ///                     or supervisor)
 ///   started, running  ended from its performer                       ended

@@ -102,7 +102,6 @@ class OperatorDesk {
   void forget(Operator& one);
   static const UavOnBoard* find(const Draft& draft, const std::string& uav);
   static bool may_command(Draft& draft, const std::string& uav);
-  static std::vector<executive::TaskId> ways_that_wait(const UavOnBoard& uav);
   void draft_deed(const OperatorDeed& deed, Draft& draft) const;
   void take(const Action& action, Draft& draft) const;
   void take(const AskForUav& deed, Draft& draft) const;
