@@ -277,35 +277,49 @@ std::vector<Violation> idle_without_word(const History& history) {
 
 namespace {
 
-// At degree 1 the ground's executive keeps to itself what the vehicle has no part in.
+/// The vehicle has carried it out, or given it up, by then.
+bool is_over_in_truth(const Uav& uav, std::int64_t task, double at) {
+  const auto last = std::find_if(
+      uav.activities.rbegin(), uav.activities.rend(),
+      [&](const Activity& activity) { return activity.task == task && activity.from <= at; });
+  return last != uav.activities.rend() && last->until <= at;
+}
+
+// At degree 1 the ground's executive keeps to itself what the vehicle has no part in, and may not
+// have heard that a task is over.
 bool does_nothing_in_a_hand(const Uav& uav, const Sample& sample) {
   const int degree = uav.degree(sample.at);
   const auto& types = functional::TaskTypes::shipped();
   return sample.airborne && degree < 4 && !out_of_control(uav, sample.at) &&
          std::none_of(uav.executions.begin(), uav.executions.end(), [&](const auto& one) {
-           const bool is_unknown = degree == 1 && types.of(one.second.type).synchronises();
+           const bool is_unknown = degree == 1 && (types.of(one.second.type).synchronises() ||
+                                                   is_over_in_truth(uav, one.first, sample.at));
            return one.second.under_way(sample.at) && !is_unknown;
          });
 }
 
 }  // namespace
 
-// Nobody else tells its operator that what he asked for was refused or given up.
+// Nobody else tells its operator that what he asked for was refused or given up. What it has said
+// before its node was away counts: it comes back with what it knew.
 std::vector<Violation> idling_untold(const History& history) {
   constexpr double kLong = 75;  // [s]
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
     if (history.was_killed(name)) continue;
-    std::optional<double> since;
+    std::optional<double> idle, since;  // and since then with its node at work
     for (const Sample& sample : uav.samples) {
-      if (!does_nothing_in_a_hand(uav, sample) || history.was_away(name, sample.at, sample.at)) {
+      const bool idles = does_nothing_in_a_hand(uav, sample);
+      if (!idles) idle.reset();
+      if (!idles || history.was_away(name, sample.at, sample.at)) {
         since.reset();
         continue;
       }
+      if (!idle) idle = sample.at;
       if (!since) since = sample.at;
       if (sample.at - *since < kLong || sample.at - *since >= kLong + 1) continue;
       const bool told = std::any_of(uav.words.begin(), uav.words.end(), [&](const Word& word) {
-        return word.at >= *since && word.at <= sample.at &&
+        return word.at >= *idle && word.at <= sample.at &&
                word.text.starts_with("in the air with nothing under way");
       });
       if (!told)

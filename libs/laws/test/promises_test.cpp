@@ -257,12 +257,33 @@ TEST(IdleTold, WhoseNodeIsDownMeanwhileSaysItLater) {
   EXPECT_THAT(down_until(140), IsEmpty());
 }
 
+// Found by random missions (--hands --deaths 1008001).
+TEST(IdleTold, WhoHasSaidItBeforeItsNodeWasAwayNeedNotSayItAgain) {
+  Story story = hangs_in_the_air();
+  story.fault(100, "kill", "marvin").fault(108, "resume", "marvin");
+  EXPECT_THAT(story.broken("idle-told"), SizeIs(2));
+
+  story.says("marvin", 71, "in the air with nothing under way for 60.0 s, at degree 3: …");
+  EXPECT_THAT(story.broken("idle-told"), IsEmpty());
+}
+
 // Found by random missions (--hands 990035): at degree 1 a UAV does not know of it.
 TEST(IdleTold, ARendezvousThatTheGroundKeepsForItIsNoTaskOfItsOwn) {
   Story story = hangs_in_the_air();
   story.degree("marvin", 12, 1).does("marvin", {4, "rendezvous", 0, 60, 100});
   story.says("marvin", 70, "in the air with nothing under way for 60.0 s, at degree 1: …");
 
+  EXPECT_THAT(story.broken("idle-told"), IsEmpty());
+}
+
+// Found by random missions (--hands --merged --rough --deaths 1008020): the ground station did not
+// hear of the end, gave the flight up after minutes, and only that was taken for the end.
+TEST(IdleTold, WhatTheGroundDoesNotKnowToBeOverIsOver) {
+  Story story = hangs_in_the_air().degree("marvin", 0.5, 1);
+  story.starts_unheard("marvin", 100, 3, "goto", "aborted");
+  EXPECT_THAT(story.broken("idle-told"), SizeIs(1));
+
+  story.says("marvin", 71, "in the air with nothing under way for 60.0 s, at degree 1: …");
   EXPECT_THAT(story.broken("idle-told"), IsEmpty());
 }
 

@@ -25,7 +25,10 @@ void LoadingTime::plan(const std::vector<mission::Interval>& starts, MissionTime
     due_since_ = could;
   const MissionTime due = due_since_.value_or(could);
   since_ = due_since_ ? before_.waits_since.value_or(due) : due;
-  until_ = bounded ? MissionTime() + latest : due + (before_.has_run ? kTryAgainFor : kTryFor);
+  const MissionTime again = due + kTryAgainFor;
+  const MissionTime whole = since_ + kTryFor;
+  const MissionTime unbounded = before_.has_run ? again : std::max(whole, again);
+  until_ = bounded ? MissionTime() + latest : unbounded;
 }
 
 }  // namespace skein::decision_node

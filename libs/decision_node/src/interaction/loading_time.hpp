@@ -18,7 +18,8 @@ struct EarlierAttempts {
 
 /// Until it is to start at the latest; where that is not said, some time after it could have: its
 /// plan is made anew while it waits, and could begin it anew each time. Where it has run and
-/// failed, it is due: whom it failed for comes back soon, or is done without. A value.
+/// failed, it is due: whom it failed for comes back soon, or is done without. An attempt after one
+/// that has just failed has what is left of the time of both, and a minute at least. A value.
 class LoadingTime {
  public:
   static constexpr double kForever = 1e8;  ///< no latest start [s]

@@ -58,9 +58,18 @@ TEST_F(LoadingTimes, TheWaitOfOneThatHasJustFailedGoesOn) {
   time.follows({false, at(3)});
   plan(0, kEver, 10);
   EXPECT_EQ(time.since(), at(3));
-  EXPECT_EQ(time.until(), at(10) + LoadingTime::kTryFor);
+  EXPECT_EQ(time.until(), at(3) + LoadingTime::kTryFor);
   plan(400, kEver, 20);
   EXPECT_EQ(time.since(), at(400)) << "it does not wait before it can start";
+}
+
+// Found by random missions (--deaths 1008012): a partner that was there and had been refused the
+// joint task was waited for three times 600 s in the air.
+TEST_F(LoadingTimes, OneThatFailedAfterAllItsTimeIsTriedForAShorterTime) {
+  const MissionTime given_up = at(3) + LoadingTime::kTryFor;
+  time.follows({false, at(3)});
+  plan(0, kEver, (given_up - MissionTime()).to_seconds());
+  EXPECT_EQ(time.until(), given_up + LoadingTime::kTryAgainFor);
 }
 
 }  // namespace

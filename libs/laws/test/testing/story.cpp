@@ -105,11 +105,12 @@ Story& Story::does(const std::string& uav, const Doing& what) {
              lines::Task{.uav = uav, .task = task, .type = what.type, .state = what.end});
 }
 
-Story& Story::starts_unheard(const std::string& uav, double at, int task, const std::string& type) {
+Story& Story::starts_unheard(const std::string& uav, double at, int task, const std::string& type,
+                             const std::string& state) {
   return add(
       at, "ground",
       lines::Task{
-          .uav = uav, .task = static_cast<std::uint64_t>(task), .type = type, .state = "started"});
+          .uav = uav, .task = static_cast<std::uint64_t>(task), .type = type, .state = state});
 }
 
 Story& Story::goal(const std::string& uav, int id, const std::string& statement,

@@ -89,8 +89,10 @@ class Story {
   Story& stands(const std::string& uav, double from, double until, world::Vector3 at = {0, 0, 0});
   /// A task of a goal, in the executive and on the vehicle.
   Story& does(const std::string& uav, const Doing& what);
-  /// The ground station's executive, at degree 1, starts it, and the UAV does not hear of it.
-  Story& starts_unheard(const std::string& uav, double at, int task, const std::string& type);
+  /// The ground station's executive, at degree 1, starts it, and the UAV does not hear of it; or
+  /// gives it up, since it has heard no end of it.
+  Story& starts_unheard(const std::string& uav, double at, int task, const std::string& type,
+                        const std::string& state = "started");
   Story& goal(const std::string& uav, int id, const std::string& statement,
               const std::string& state, double at, const std::string& why = "");
   Story& says(const std::string& uav, double at, const std::string& text);
