@@ -57,8 +57,8 @@ struct TaskView {
   TaskState state;
   const std::string& reason;
   AbortCause cause;
-  bool
-      gives_way;  ///< of Config::idle_type, without an end: interrupted by what needs its resources
+  /// Of Config::idle_type and without an end: interrupted by what needs its resources.
+  bool gives_way;
 };
 
 /// A running synchronisation task that waits for partners.
