@@ -258,8 +258,8 @@ TEST_P(Daemons, TheEndOfTheMissionEndsThemAll) {
   EXPECT_GE(clocks_.back().time, MissionTime::seconds(5).count());  // two seconds after the end
 }
 
-// The clock does not wait for readers: whoever is not met yet may be gone before it is, so that the
-// last one, which the clock waits for, is met while the mission lasts (3 s of the wall).
+// The clock waits for the daemons, not for a reader: the mission lasts 3 s of the wall, in which
+// the reader meets the last of them.
 TEST_P(Daemons, EveryRecordArrivesInOrderUpToTheLast) {
   start("sim", "30");
   start("ground", "30");
