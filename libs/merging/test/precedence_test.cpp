@@ -5,22 +5,19 @@
 
 #include "skein/merging/merger.hpp"
 #include "testing/net.hpp"
+#include "testing/street.hpp"
 
 namespace skein::merging {
 namespace {
 
 using ::testing::ElementsAre;
+using testing::expect_why;
+using testing::kA;
+using testing::kB;
+using testing::kC;
 using testing::Net;
-
-const std::string kA = "a", kB = "b", kC = "c";
-
-/// A stretch of one street, 10 m wide.
-Volume stretch(double from, double to) { return {{from, 0}, {to, 0}, 5, 30, 50}; }
-Volume place(double at) { return stretch(at, at); }
-
-void expect_why(const Net& net, const std::string& who, const std::string& peer, Awaited what) {
-  EXPECT_THAT(net.whys(who), ElementsAre(Waits::Why{peer, what}));
-}
+using testing::place;
+using testing::stretch;
 
 TEST(Precedence, NobodyComesToStayWhereOneWantsToGoThatHasWaitedLong) {
   Net net({kA, kB, kC});
