@@ -57,12 +57,15 @@ void Core::told(const functional::Status& status) {
   execution_.run(status);
 }
 
-// The supervisor goes on hearing of tasks that were its own.
+// The supervisor goes on hearing of tasks that were its own. From degree 2 on the executive that
+// had the task at degree 1 may have let go of it, and nobody else says how it ended.
 void Core::pass_on(const functional::Status& status) {
-  const std::string type = vehicle_.pass_on(status);
-  const bool waits = status.state == functional::TaskState::kStarted;
-  if (!type.empty() && !waits)
-    tell_task({status.id, type, status.state, status.reason, status.cause});
+  const executive::TaskEvent event{status.id, vehicle_.pass_on(status), status.state, status.reason,
+                                   status.cause};
+  const bool is_known = !event.type.empty();
+  if (is_known && is_terminal(status.state) && !mission::runs_at_ground(degree()))
+    bus_.emit(TaskChanged{event, {}});
+  if (is_known && status.state != functional::TaskState::kStarted) tell_task(event);
   safekeeping_.start_pending();
 }
 

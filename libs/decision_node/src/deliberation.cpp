@@ -162,6 +162,10 @@ void Deliberation::carry_out(const supervisor::HandedOver& effect, const Asker&)
   handed_over_ = effect.tasks;
 }
 
+void Deliberation::carry_out(const supervisor::NotGivenBack& effect, const Asker&) {
+  core_.bus().emit(TaskChanged{effect.event, {}});
+}
+
 void Deliberation::carry_out(const supervisor::LoadJointTask& effect, const Asker&) {
   core_.interaction().load(effect);
 }

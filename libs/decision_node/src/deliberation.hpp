@@ -48,6 +48,10 @@ class Deliberation final : public Component {
   const mission::PlanReport& report() const { return supervisor_->report(); }
   /// The world as the supervisor believes it. Precondition: possible().
   std::shared_ptr<const world::World> world() const { return supervisor_->world(); }
+  /// The plan goes on without the task, which ended or was lost: nobody is to begin it any more.
+  bool has_given_up(executive::TaskId task) const {
+    return supervisor_ && supervisor_->has_given_up(task);
+  }
   /// The goal that an executive's task serves; 0: none.
   mission::GoalId origin_of(executive::TaskId task) const;
   /// Records that a task of a role serves the goal of its joint task.
@@ -71,6 +75,7 @@ class Deliberation final : public Component {
   void carry_out(const supervisor::GoalChanged& effect, const Asker&);
   void carry_out(const supervisor::PlanChanged& effect, const Asker&);
   void carry_out(const supervisor::HandedOver& effect, const Asker&);
+  void carry_out(const supervisor::NotGivenBack& effect, const Asker& asker);
   void carry_out(const supervisor::LoadJointTask& effect, const Asker&);
   void carry_out(const supervisor::FrontierChanged& effect, const Asker&);
   void carry_out(const supervisor::Notice& effect, const Asker&);

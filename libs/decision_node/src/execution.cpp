@@ -13,6 +13,8 @@ namespace skein::decision_node {
 namespace {
 
 constexpr const char* kIdleType = "wait";
+constexpr const char* kTooLate =
+    "it is over here, or was not given back in time and has been planned anew";
 
 executive::Config executive_config(const Config& config) {
   executive::Config result;
@@ -59,6 +61,9 @@ void Execution::take(const Command& command) {
   const auto* start = std::get_if<executive::Start>(&command.request);
   if (start != nullptr && start->task.id >= functional::kFirstRoleId) {
     return core_.commands().refuse(command, kOwnIds);
+  }
+  if (start != nullptr && core_.deliberation().has_given_up(start->task.id)) {
+    return core_.commands().refuse(command, kTooLate);
   }
   if (const auto* message = std::get_if<executive::ProcessMessage>(&command.request)) {
     if (const auto lost = mission::uav_lost_in(message->message)) core_.declare_lost(*lost);

@@ -8,7 +8,8 @@ namespace skein::merging {
 
 /// What one holds keeps another, which holds `own`, from what it wants. Air in which both are
 /// already, since one of them flew there unasked, keeps nobody from leaving at the height where it
-/// is. Cost: O(product).
+/// is, by a way that comes no nearer to the middle of that air than where it begins. Cost:
+/// O(product).
 bool keeps_from(const Volumes& held, const Volumes& wanted, const Volumes& own);
 
 }  // namespace skein::merging

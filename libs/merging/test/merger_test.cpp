@@ -119,21 +119,25 @@ TEST(Merger, ThreeInARowLeaveNobodyWaitingForTwo) {
 
 // ---- the radio ----
 
-// Found by random missions (--mixed 8): it stood where another circled that had flown there
-// unasked, and could not leave.
-TEST(Merger, WhereAnotherFlewUnaskedOneMayLeaveAtTheHeightWhereItIs) {
+// Found by random missions: it stood where another circled that had flown there unasked, and could
+// not leave (--mixed 8); it left by a way that led under the circles (--anything --busy 1009007).
+TEST(Merger, WhereAnotherFlewUnaskedOneMayLeaveItsAirAtTheHeightWhereOneIs) {
+  const Volume out{{0, 0}, {-60, 0}, 10, 30, 50}, on{{-60, 0}, {-200, 0}, 10, 30, 50};
+  const Volume under{{0, 0}, {100, 0}, 10, 30, 50}, beyond{{100, 0}, {200, 0}, 10, 30, 50};
+  const Volume higher{{0, 0}, {-60, 0}, 10, 30, 60}, elsewhere{{0, 50}, {-60, 50}, 10, 30, 50};
   for (const auto& [stands, flies] : {std::pair("a", "b"), std::pair("b", "a")}) {
     Net net({"a", "b", "c"});
-    const Volume here{{0, 0}, {0, 0}, 10, 30, 50};
-    net.stands(stands, here);
+    net.stands(stands, {{0, 0}, {0, 0}, 10, 30, 50});
     net.stands(flies, {{40, 0}, {40, 0}, 100, 45, 80});
     net.run_for(2);
-    net.wants(stands, {{{{0, 0}, {60, 0}, 10, 30, 60}, {{60, 0}, {200, 0}, 10, 30, 50}}});
-    net.wants("c", {{{{0, 50}, {60, 50}, 10, 30, 50}}});
-    net.run_for(5);
-    EXPECT_FALSE(net.has_what_it_wanted(stands)) << "nearer to the other";
-    EXPECT_FALSE(net.has_what_it_wanted("c")) << "it was not there";
-    net.wants(stands, {{{{0, 0}, {60, 0}, 10, 30, 50}, {{60, 0}, {200, 0}, 10, 30, 50}}});
+    for (const Volumes& way : {Volumes{higher, on}, Volumes{under, beyond}}) {
+      net.wants(stands, {way});
+      net.wants("c", {{elsewhere}});
+      net.run_for(5);
+      EXPECT_FALSE(net.has_what_it_wanted(stands)) << "nearer to the other";
+      EXPECT_FALSE(net.has_what_it_wanted("c")) << "it was not there";
+    }
+    net.wants(stands, {{out, on}});
     net.run_for(5);
     EXPECT_TRUE(net.has_what_it_wanted(stands));
   }

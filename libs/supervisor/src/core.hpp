@@ -26,6 +26,10 @@ class Supervisor::Core {
   bool loses_sight_of(const std::string& place, const world::Vector3& now) const {
     return engaged() && contingencies_.loses_sight_of(place, now);
   }
+  bool has_given_up(executive::TaskId task) const {
+    const Entry* entry = book_.find(task);
+    return engaged() && entry != nullptr && entry->over();
+  }
 
  private:
   MissionTime now() const { return out_.now(); }

@@ -25,6 +25,7 @@ std::shared_ptr<const world::World> Supervisor::world() const { return core_->wo
 bool Supervisor::loses_sight_of(const std::string& place, const world::Vector3& now) const {
   return core_->loses_sight_of(place, now);
 }
+bool Supervisor::has_given_up(executive::TaskId task) const { return core_->has_given_up(task); }
 
 namespace {
 

@@ -106,6 +106,11 @@ class KeptUav {
   const std::vector<double>& last_way() const { return last_way_; }
   std::uint64_t last_id() const { return last_id_; }
   const std::vector<HandedOver>& handed_over() const { return handed_over_; }
+  /// What it told of a task last: "scheduled", …; "" if nothing.
+  std::string last_told_of(std::uint64_t task) const {
+    const auto told = told_.find(functional::TaskId(task));
+    return told == told_.end() ? "" : std::string(to_text(told->second));
+  }
 
   static constexpr const char* kGround = "ground";
 
@@ -141,6 +146,8 @@ class KeptUav {
                      (one->why.empty() ? "" : ": " + one->why));
     if (const auto* one = std::get_if<Notice>(&effect)) log_.push_back("notice: " + one->text);
     if (const auto* one = std::get_if<HandedOver>(&effect)) handed_over_.push_back(*one);
+    if (const auto* one = std::get_if<TaskChanged>(&effect))
+      told_[one->event.id] = one->event.state;
   }
   void ask(const functional::Request& request) {
     if (request.verb == functional::Verb::kDispatch) {
@@ -178,6 +185,7 @@ class KeptUav {
   std::vector<double> last_way_;
   std::uint64_t last_id_ = 0;
   std::vector<HandedOver> handed_over_;
+  std::map<functional::TaskId, functional::TaskState> told_;
   std::vector<std::string> log_;
 };
 

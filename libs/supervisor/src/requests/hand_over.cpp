@@ -13,6 +13,7 @@ namespace {
 
 /// What another executive had is back by then, or never.
 constexpr Duration kComesBack = Duration::milliseconds(5'000);
+constexpr const char* kStayedAway = "the executive that had it did not give it back in time";
 
 }  // namespace
 
@@ -55,14 +56,14 @@ void HandOver::give_up(const Disengage& input) {
 
 // A goal of which the executive was given tasks meanwhile, and lost none, stays with it; what it
 // was not given is no longer part of it. The others have no plan.
-std::vector<GoalId> HandOver::take_back() {
+std::vector<GoalId> HandOver::take_back(const std::set<GoalId>& goals) {
   std::set<GoalId> anew;
   std::vector<GoalId> result;
   for (const GoalId id : book_.order) {
+    if (goals.count(id) == 0) continue;
     Goal& goal = book_.goals.at(id);
     const bool partly = book_.is_given(id) && (!book_.is_wholly_given(id) || book_.has_lost(id));
     if (is_settled(goal.state) || (goal.state != GoalState::kHandedOver && !partly)) continue;
-    if (returning_ && returning_->goals.count(id) != 0) continue;
     if (book_.has_in_hand(id) && !book_.has_lost(id)) {
       for (const Entry* entry : book_.of(id)) {
         if (!entry->given()) book_.tasks.at(entry->task.id).advance(Step::kWithdraw);
@@ -84,7 +85,13 @@ std::vector<GoalId> HandOver::take_back() {
 
 void HandOver::lose(Entry& entry) {
   entry.unseen = true;
+  entry.over_elsewhere = true;
   entry.abort(now());
+}
+
+void HandOver::stays_away(Entry& entry) {
+  lose(entry);
+  out_.add(NotGivenBack{{entry.task.id, entry.task.type, TaskState::kAborted, kStayedAway}});
 }
 
 // What the executive has lost to somebody else.
@@ -99,59 +106,89 @@ void HandOver::forget_but(const std::set<TaskId>& kept) {
   }
 }
 
-void HandOver::await_return(const std::string& cause) {
-  Return all{{}, {}, cause, now() + kComesBack};
-  for (const GoalId id : book_.order) {
-    if (is_settled(book_.goals.at(id).state) || !book_.has_in_hand(id) || !book_.has_lost(id))
-      continue;
-    all.goals.insert(id);
-    for (const Entry* entry : book_.of(id))
-      if (entry->in_hand()) all.missing.insert(entry->task.id);
+// Of what waits at the other executive nothing is seen here: it may have been aborted there.
+void HandOver::await_return(const Engage& input) {
+  Return all{{}, {}, {}, input.cause, input.resume, now() + kComesBack};
+  for (const TaskId id : book_.in_hand()) {
+    const GoalId goal = book_.tasks.at(id).task.origin;
+    if (is_settled(book_.goals.at(goal).state)) continue;
+    all.missing.insert(id);
+    if (book_.has_lost(goal)) all.goals.insert(goal);
   }
-  if (!all.goals.empty()) returning_ = std::move(all);
+  for (const TaskId id : input.elsewhere)
+    if (all.missing.count(id) != 0 && !book_.tasks.at(id).task.open_ended)
+      all.carried_out.insert(id);
+  book_.elsewhere.insert(all.missing.begin(), all.missing.end());
+  if (!all.missing.empty()) returning_ = std::move(all);
+}
+
+std::set<GoalId> HandOver::not_awaited() const {
+  std::set<GoalId> result(book_.order.begin(), book_.order.end());
+  if (returning_)
+    for (const GoalId id : returning_->goals) result.erase(id);
+  return result;
 }
 
 // Those that lead the vehicle away are waited for to their end: where it is then is not known.
 void HandOver::await(const std::vector<TaskId>& elsewhere) {
   for (const TaskId id : elsewhere) {
     const auto loose = book_.loose.find(id);
-    const bool stays = loose != book_.loose.end() && !loose->second.leads_away;
-    const Entry* own = book_.find(id);
-    if (stays || (own != nullptr && own->given() && !own->over())) book_.elsewhere.insert(id);
+    if (loose == book_.loose.end() || loose->second.leads_away) continue;
+    book_.elsewhere.insert(id);
+    awaited_until_ = now() + kComesBack;
   }
-  if (!book_.elsewhere.empty()) awaited_until_ = now() + kComesBack;
 }
 
 void HandOver::await_no_longer() {
   awaited_until_.reset();
-  for (const TaskId id : book_.elsewhere) book_.loose.erase(id);
-  book_.elsewhere.clear();
+  std::erase_if(book_.elsewhere, [&](TaskId id) { return book_.loose.erase(id) > 0; });
 }
 
 void HandOver::came_back(TaskId task) {
-  if (!returning_ || returning_->missing.erase(task) == 0) return;
-  if (returning_->missing.empty()) plan_returned();
+  if (returning_ && returning_->missing.erase(task) > 0) plan_returned();
 }
 
 void HandOver::time_passes() {
   if (awaited_until_ && now() >= *awaited_until_) await_no_longer();
-  if (!returning_ || now() < returning_->until) return;
-  for (const TaskId id : returning_->missing) {
+  if (returning_ && returning_->until && now() >= *returning_->until) lose_what_stays_away();
+}
+
+// What the vehicle carries out is seen to its end.
+void HandOver::lose_what_stays_away() {
+  returning_->until.reset();
+  std::erase_if(returning_->missing, [&](TaskId id) {
+    if (returning_->carried_out.count(id) != 0) return false;
     Entry& entry = book_.tasks.at(id);
-    if (!entry.over()) lose(entry);
-  }
+    returning_->goals.insert(entry.task.origin);
+    book_.elsewhere.erase(id);
+    if (!entry.over()) stays_away(entry);
+    return true;
+  });
   plan_returned();
 }
 
 std::optional<MissionTime> HandOver::next_wakeup() const {
-  const auto returning = returning_ ? std::optional(returning_->until) : std::nullopt;
-  return earliest(returning, awaited_until_);
+  return earliest(returning_ ? returning_->until : std::nullopt, awaited_until_);
+}
+
+// Of those that lost a task, the ones of which nothing is missing any more.
+std::set<GoalId> HandOver::returned() {
+  std::set<GoalId> result = std::exchange(returning_->goals, {});
+  for (const TaskId id : returning_->missing) {
+    const GoalId goal = book_.tasks.at(id).task.origin;
+    if (result.erase(goal) > 0) returning_->goals.insert(goal);
+  }
+  return result;
 }
 
 void HandOver::plan_returned() {
+  const std::set<GoalId> back = returned();
   const std::string cause = returning_->cause;
-  returning_.reset();
-  const std::vector<GoalId> goals = take_back();
+  const bool resume = returning_->resume;
+  if (returning_->missing.empty()) returning_.reset();
+  if (!resume)
+    for (const GoalId id : back) hand_over_goal(id);
+  const std::vector<GoalId> goals = resume ? take_back(back) : std::vector<GoalId>();
   committer_.reschedule();
   if (!goals.empty()) agenda_.plan_anew(std::nullopt, false, cause);
 }
@@ -164,8 +201,8 @@ void HandOver::take(const Engage& input) {
     for (const GoalId id : book_.order) hand_over_goal(id);
   }
   await(input.elsewhere);
-  if (input.resume && !input.in_executive) await_return(input.cause);
-  const std::vector<GoalId> goals = input.resume ? take_back() : std::vector<GoalId>();
+  if (!input.in_executive) await_return(input);
+  const std::vector<GoalId> goals = input.resume ? take_back(not_awaited()) : std::vector<GoalId>();
   out_.decide({"0 user request", input.cause, list_of("goals", goals), "engaged", now()});
   committer_.reschedule();
   if (!goals.empty()) agenda_.plan_anew(std::nullopt, false, input.cause);

@@ -32,19 +32,25 @@ class HandOver {
   void hand_over_goal(GoalId id);
 
  private:
-  /// Goals that lost a task while another executive had their other tasks: they are planned anew
-  /// once the missing tasks are back, since tasks of another executive cannot be aborted.
+  /// What another executive has of the plan. Goals that lost a task are planned anew once what is
+  /// missing of them is back, since tasks of another executive cannot be aborted.
   struct Return {
-    std::set<GoalId> goals;
+    std::set<GoalId> goals;  ///< that lost a task
     std::set<TaskId> missing;
+    std::set<TaskId> carried_out;  ///< of these, by the vehicle, which tells their end
     std::string cause;
-    MissionTime until;
+    bool resume = true;
+    std::optional<MissionTime> until;  ///< absent: of what is missing the vehicle tells
   };
 
   MissionTime now() const { return out_.now(); }
-  std::vector<GoalId> take_back();
+  std::vector<GoalId> take_back(const std::set<GoalId>& goals);
+  std::set<GoalId> not_awaited() const;
   void lose(Entry& entry);
-  void await_return(const std::string& cause);
+  void stays_away(Entry& entry);
+  void lose_what_stays_away();
+  void await_return(const Engage& input);
+  std::set<GoalId> returned();
   void plan_returned();
   void forget_but(const std::set<TaskId>& kept);
   void await(const std::vector<TaskId>& elsewhere);

@@ -150,6 +150,11 @@ struct Decided {
 struct HandedOver {
   std::vector<mission::HeldTask> tasks;
 };
+/// A task of the plan is over, without success, though no executive says so: the one that had it
+/// did not give it back in time. Whoever watches tasks is to hear it.
+struct NotGivenBack {
+  executive::TaskEvent event;
+};
 /// Operator 4: the interaction manager is to load a joint task. Without preferences: the task is no
 /// longer wanted.
 struct LoadJointTask {
@@ -169,7 +174,7 @@ struct Notice {
 
 using Effect = std::variant<Answer, MissionDecided, ToExecutive, StartDeliberation,
                             StopDeliberation, PlanChanged, GoalChanged, Decided, HandedOver,
-                            LoadJointTask, FrontierChanged, Notice>;
+                            NotGivenBack, LoadJointTask, FrontierChanged, Notice>;
 using Effects = std::vector<Effect>;
 
 struct Config {
@@ -222,6 +227,9 @@ class Supervisor {
   /// would be hidden by the ground if it were there now. The host need not tell every move of a
   /// place, but this one.
   bool loses_sight_of(const std::string& place, const world::Vector3& now) const;
+  /// Whether the task is of the plan and over, as far as is known here: it ended, or another
+  /// executive did not give it back in time. Nobody is to begin it any more.
+  bool has_given_up(executive::TaskId task) const;
 
  private:
   class Core;
