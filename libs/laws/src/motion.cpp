@@ -221,10 +221,12 @@ bool refused_and_stopped(const Uav& uav, const Word& word) {
   });
 }
 
-// Said before the vehicle knew of the abort; the executive has to note it (spec 2.1).
+// Said before the vehicle, or the air that it waited for, knew of the abort; the executive has to
+// note it (spec 2.1).
 bool crossed_the_abort(const Word& word) {
-  return word.text.rfind("status 'running' of task ", 0) == 0 &&
-         word.text.find(", which is aborting,") != std::string::npos;
+  const bool goes_on = word.text.rfind("status 'running' of task ", 0) == 0 ||
+                       word.text.rfind("status 'started' of task ", 0) == 0;
+  return goes_on && word.text.find(", which is aborting,") != std::string::npos;
 }
 
 }  // namespace

@@ -286,31 +286,34 @@ bool is_over_in_truth(const Uav& uav, std::int64_t task, double at) {
 }
 
 // At degree 1 the ground's executive keeps to itself what the vehicle has no part in, and may not
-// have heard that a task is over.
-bool does_nothing_in_a_hand(const Uav& uav, const Sample& sample) {
+// have heard that a task is over. `least`: shorter tasks do not count [s].
+bool does_nothing_in_a_hand(const Uav& uav, const Sample& sample, double least) {
   const int degree = uav.degree(sample.at);
   const auto& types = functional::TaskTypes::shipped();
   return sample.airborne && degree < 4 && !out_of_control(uav, sample.at) &&
          std::none_of(uav.executions.begin(), uav.executions.end(), [&](const auto& one) {
            const bool is_unknown = degree == 1 && (types.of(one.second.type).synchronises() ||
                                                    is_over_in_truth(uav, one.first, sample.at));
-           return one.second.under_way(sample.at) && !is_unknown;
+           return one.second.under_way(sample.at) && !is_unknown &&
+                  one.second.over - one.second.started >= least;
          });
 }
 
 }  // namespace
 
 // Nobody else tells its operator that what he asked for was refused or given up. What it has said
-// before its node was away counts: it comes back with what it knew.
+// before its node was away counts: it comes back with what it knew. So does what it has said before
+// a task that lay between two positions which its vehicle told.
 std::vector<Violation> idling_untold(const History& history) {
-  constexpr double kLong = 75;  // [s]
+  constexpr double kLong = 75;      // [s]
+  constexpr double kPositions = 1;  // [s] between two of them
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
     if (history.was_killed(name)) continue;
     std::optional<double> idle, since;  // and since then with its node at work
     for (const Sample& sample : uav.samples) {
-      const bool idles = does_nothing_in_a_hand(uav, sample);
-      if (!idles) idle.reset();
+      const bool idles = does_nothing_in_a_hand(uav, sample, 0);
+      if (!idles && !does_nothing_in_a_hand(uav, sample, kPositions)) idle.reset();
       if (!idles || history.was_away(name, sample.at, sample.at)) {
         since.reset();
         continue;

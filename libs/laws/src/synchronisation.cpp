@@ -265,9 +265,19 @@ double later_by(const History& history, const std::string& hearer, const SyncHea
 
 }  // namespace
 
+namespace {
+
+/// That `heard.from` comes to the meeting, last of all, and not before `until`.
+bool foretells_later(const Foretold& one, const SyncHeard& heard, double until) {
+  return one.known && one.last == heard.from && one.soonest > until;
+}
+
+}  // namespace
+
 // What is believed when the word comes that somebody is there: not that he could not be. That word
 // and those of plans come over one radio; where it is narrow, not in their order, and where the
-// ground station says when others come, by a hop more.
+// ground station says when others come, by a hop more: a word that comes so soon after it counts,
+// too.
 std::vector<Violation> come_before_foretold(const History& history) {
   const double moment = 1 + history.late;  // [s]
   const auto& planning = history.scenario->planning;
@@ -277,10 +287,14 @@ std::vector<Violation> come_before_foretold(const History& history) {
     for (const SyncHeard& heard : uav.syncs_heard) {
       const double on_its_way = (by_ground ? moment : 0) + later_by(history, name, heard);
       const Foretold* believed = nullptr;
-      for (const Foretold& one : uav.foretold)
-        if (one.id == heard.id && one.at <= heard.at + on_its_way) believed = &one;
-      const bool about = believed != nullptr && believed->known && believed->last == heard.from;
-      if (!about || !is_the_last(uav, heard) || believed->soonest <= heard.at + moment) continue;
+      bool later = false;  // by all words that count
+      for (const Foretold& one : uav.foretold) {
+        if (one.id != heard.id || one.at > heard.at + on_its_way) continue;
+        const bool known_then = one.at <= heard.at;
+        if (known_then) believed = &one;
+        later = (known_then || later) && foretells_later(one, heard, heard.at + moment);
+      }
+      if (believed == nullptr || !later || !is_the_last(uav, heard)) continue;
       const std::string when = believed->soonest == kNever
                                    ? "never"
                                    : "no earlier than " + figure(believed->soonest) + " s";

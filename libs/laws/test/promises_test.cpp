@@ -267,6 +267,19 @@ TEST(IdleTold, WhoHasSaidItBeforeItsNodeWasAwayNeedNotSayItAgain) {
   EXPECT_THAT(story.broken("idle-told"), IsEmpty());
 }
 
+// Found by random missions (--hands 1011011): a look took 0.1 s, which its UAV may not notice.
+TEST(IdleTold, WhoHasSaidItBeforeAShortLookNeedNotSayItAgain) {
+  const auto looks_for = [](double seconds) {
+    Story story = hangs_in_the_air();
+    story.says("marvin", 71, "in the air with nothing under way for 60.0 s, at degree 3: …");
+    story.does("marvin", {4, "takeshot", 99.5, 99.5, 99.5 + seconds});
+    return story.broken("idle-told");
+  };
+
+  EXPECT_THAT(looks_for(0.6), IsEmpty());
+  EXPECT_THAT(looks_for(3), SizeIs(1)) << "it hangs there for 100 s after it";
+}
+
 // Found by random missions (--hands 990035): at degree 1 a UAV does not know of it.
 TEST(IdleTold, ARendezvousThatTheGroundKeepsForItIsNoTaskOfItsOwn) {
   Story story = hangs_in_the_air();

@@ -109,6 +109,7 @@ TEST(Asked, APlanIsMadeAnewADozenTimesAMinute) {
 TEST(Fits, AWordOnATaskThatCannotBeSoBreaksIt) {
   Story story;
   story.says("marvin", 10, "status 'running' of task 301, which is aborting, does not fit");
+  story.says("marvin", 11, "status 'started' of task 303, which is aborting, does not fit");
   story.says("marvin", 20, "status 'running' of task 302, which is running, does not fit")
       .says("marvin", 30, "in the air with nothing to do");
 

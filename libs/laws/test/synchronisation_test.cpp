@@ -92,6 +92,15 @@ TEST(ForetoldLaw, OnANarrowChannelTheWordThatSomebodyIsThereMayOvertakeThatOnHis
   EXPECT_EQ(told(59.5, 0).broken("foretold").size(), 1U);
   EXPECT_EQ(told(40, 9'600).broken("foretold").size(), 1U) << "that one came long ago";
 }
+// Found by random missions (--anything --minds 1011013): he withdrew 5 s later, and came anew.
+TEST(ForetoldLaw, WhatIsForetoldAfterHeCameDoesNotSayThatHeCouldNot) {
+  Story story;
+  story.foretold("marvin", 20, 500, "heliv", 58).hears("marvin", 60, 500, "heliv");
+  story.capacity(9'600).plan_word("heliv", "marvin", 59.5, 60.5);
+
+  EXPECT_THAT(story.foretold("marvin", 60.6, 500, "heliv", 90).broken("foretold"), IsEmpty());
+}
+
 TEST(ForetoldLaw, OfAnotherMeetingOrAnotherUavNothingIsSaid) {
   Story story;
   story.foretold("marvin", 20, 501, "heliv", 90).foretold("marvin", 20, 500, "karma", 90);
