@@ -272,7 +272,7 @@ TEST(IdleTold, WhoHasSaidItBeforeAShortLookNeedNotSayItAgain) {
   const auto looks_for = [](double seconds) {
     Story story = hangs_in_the_air();
     story.says("marvin", 71, "in the air with nothing under way for 60.0 s, at degree 3: …");
-    story.does("marvin", {4, "takeshot", 99.5, 99.5, 99.5 + seconds});
+    story.does("marvin", {4, "takeshot", 0, 99.5, 99.5 + seconds});
     return story.broken("idle-told");
   };
 

@@ -72,13 +72,15 @@ void Merger::hear_witness(const Message& message) {
     return;
   }
   if (request_ == 0 || message.answered != request_) return;
-  third_->agreed = message.granted;
+  third_->answered = true;
   third_->refusers = message.claim.waits_for;
   // Who is in reach knows better what it has.
-  const bool nobody_else = std::any_of(peers_.begin(), peers_.end(), [](const auto& one) {
-    return !one.second.agreed && !one.second.reachable;
+  const auto& refusers = third_->refusers;
+  const bool in_vain = std::any_of(refusers.begin(), refusers.end(), [&](const auto& name) {
+    const Peer* peer = peers_.find(name);
+    return peer != nullptr && !peer->agreed && !peer->reachable;
   });
-  if (!message.granted && nobody_else) close(limits_.beat);
+  if (in_vain) close(limits_.beat);
 }
 
 void Merger::on(const Heard& heard) {
@@ -215,7 +217,7 @@ void Merger::advance() {
   if (request_ != 0) {
     const bool all = std::all_of(peers_.begin(), peers_.end(), [&](const auto& one) {
       const Peer& peer = one.second;
-      return !peer.needed || peer.agreed || (third_ && third_->agreed && peer.known);
+      return !peer.needed || peer.agreed || (peer.known && third_ && third_->agrees(one.first));
     });
     if (all) return grant();
     if (now_ < deadline_) return;
@@ -264,7 +266,7 @@ bool Merger::ask() {
   const Duration round_trip = peers_.slowest();
   deadline_ = now_ + limits_.patience + round_trip;
   asked_.pause = limits_.repeat + round_trip;
-  if (third_) third_->agreed = false;
+  if (third_) third_->answered = false;
   changed_ = true;
   return true;
 }
@@ -354,7 +356,7 @@ void Merger::ask_again() {
   for (const auto& [name, peer] : peers_) {
     if (peer.needed && !peer.agreed) tell(name, true);
   }
-  if (third_ && !third_->agreed) tell_witness(true);
+  if (third_ && !third_->answered) tell_witness(true);
 }
 
 }  // namespace skein::merging

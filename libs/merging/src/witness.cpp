@@ -46,11 +46,10 @@ std::vector<Witness::Answer> Witness::replies_to(const std::string& from, const 
                                                  MissionTime now) {
   const std::uint64_t request = record.claim.request;
   if (request == 0 || record.answered != request) return {};
-  std::vector<Answer> answers{answer_to(from, request, record.granted, now)};
-  if (record.granted) return answers;
-  answers.front().message.claim.waits_for = refusers_;
+  std::vector<Answer> answers{answer_to(from, request, record.refusers.empty(), now)};
+  answers.front().message.claim.waits_for = record.refusers;
   if (record.claim.keeps) return answers;
-  for (const std::string& name : refusers_) {
+  for (const std::string& name : record.refusers) {
     const Record& other = records_.at(name);
     if (is_kept_for(other, record.claim.wanted))
       answers.push_back(answer_to(name, other.claim.request, false, now));
@@ -81,7 +80,7 @@ Witness::Answer Witness::answer_to(const std::string& to, std::uint64_t request,
 /// kept all the same.
 bool Witness::is_kept_for(const Record& record, const Volumes& volumes) const {
   const std::uint64_t request = record.claim.request;
-  const bool promised = request != 0 && record.answered == request && record.granted;
+  const bool promised = request != 0 && record.answered == request && record.refusers.empty();
   return record.claim.keeps && promised && overlap(volumes, record.claim.wanted);
 }
 
@@ -93,24 +92,25 @@ void Witness::take(Record& record, const Message& message) {
   record.follows = message.asks && (record.claim.request == 0 || record.claim.keeps);
 }
 
-/// Once for each request that was granted; one that was refused is given up by who asked, and may
-/// be looked at again until then.
+/// One that was refused is given up by who asked, and may be looked at again until then: whoever
+/// has nothing of it any more refuses it no longer. What was granted stays granted.
 void Witness::answer(const std::string& from, Record& record) {
   const std::uint64_t request = record.claim.request;
-  const bool promised = record.answered == request && record.granted;
-  if (request == 0 || promised || request == record.unsure || !remembers()) return;
-  refusers_.clear();
-  for (const auto& [name, other] : records_)
-    if (name != from && may_have(other, record.claim)) refusers_.push_back(name);
+  if (request == 0 || request == record.unsure || !remembers()) return;
+  std::vector<std::string> refusers;
+  for (const auto& [name, other] : records_) {
+    const bool granted = record.answered == request && !is_among(record.refusers, name);
+    if (name != from && !granted && may_have(other, from, record.claim)) refusers.push_back(name);
+  }
   record.answered = request;
-  record.granted = refusers_.empty();
+  record.refusers = std::move(refusers);
 }
 
-bool Witness::may_have(const Record& record, const Claim& asks) const {
+bool Witness::may_have(const Record& record, const std::string& asker, const Claim& asks) const {
   if (keeps_from(record.claim.held, asks.wanted, asks.held)) return true;
   const std::uint64_t request = record.claim.request;
-  const bool promised = record.answered == request && record.granted;
-  return request != 0 && (promised || request == record.unsure) &&
+  const bool granted = record.answered == request && !is_among(record.refusers, asker);
+  return request != 0 && (granted || request == record.unsure) &&
          overlap(asks.wanted, record.claim.wanted);
 }
 

@@ -94,6 +94,36 @@ TEST(Witness, WhoReachesNeitherTakesNothingNewAndSaysForWhomItWaits) {
   }
 }
 
+/// C had the street from 0 to 100, and has left it out of the ground station's reach. A and B do
+/// not hear each other.
+Trio old_news_of_carl() {
+  Trio trio = three();
+  trio.run_for(1);
+  trio.give(kCarl, Want{{{street(0, 100)}}});
+  trio.run_for(1);
+  trio.give(kCarl, InReach{kGround, false});
+  trio.give(kCarl, Hold{});
+  for (const auto& [one, other] : {std::pair(kAnna, kBert), std::pair(kBert, kAnna)})
+    trio.give(one, InReach{other, false});
+  trio.run_for(1);
+  return trio;
+}
+
+// Found by random missions (--sweepers --rough --planning-takes 5 1011003): the ground station
+// refused all for the sake of one that had told the other itself that it had left.
+TEST(Witness, ItsOldNewsOfOneDoesNotStandBetweenTwoOthers) {
+  Trio trio = old_news_of_carl();
+  ASSERT_EQ(trio.granted(kCarl), 1);
+
+  trio.give(kAnna, Want{{{street(0, 100)}}});
+  trio.run_for(5, {kBert});
+  EXPECT_EQ(trio.granted(kAnna), 1) << "C has left, and says so; of B the ground station knows";
+
+  trio.give(kBert, Want{{{street(50, 60)}}});
+  trio.run_for(5, {kAnna});
+  EXPECT_EQ(trio.granted(kBert), 0) << "the ground station has given it away";
+}
+
 TEST(Witness, WithoutItTwoThatHearEachOtherGoOn) {
   Trio trio = two();
   trio.give(kBert, Want{{{street(0, 100)}}});
@@ -254,6 +284,15 @@ TEST(Witness, NorDoAnyTwoOfThree) {
   trio.give(kCarl, Want{{{street(140, 200)}}});
   Exploration all(95);
   EXPECT_FALSE(all.finds_two(trio, 5));
+}
+
+TEST(Witness, NorWhereItRefusesForTheSakeOfAThird) {
+  Trio trio = old_news_of_carl();
+  trio.give(kAnna, Want{{{street(0, 100)}}});
+  trio.give(kBert, Want{{{street(50, 150)}}});
+  Exploration all(95);
+  EXPECT_FALSE(all.finds_two(trio, 6));
+  EXPECT_GT(all.states(), 10'000);
 }
 
 // That the search finds what there is to find: two witnesses are none.

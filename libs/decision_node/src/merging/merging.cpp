@@ -147,6 +147,10 @@ Merging::Merging(Core& core)
   const auto& config = core.config().merging;
   if (!config) return;
   merger_.emplace(config->members, core.config().uav, merging::Limits{}, config->witness);
+  // Until they are heard: some never are. Nothing follows from it yet.
+  for (const auto& [peer, known] : merger_->peers())
+    merger_->handle(merging::InReach{peer, false}, {});
+  if (!config->witness.empty()) merger_->handle(merging::InReach{config->witness, false}, {});
 }
 
 // ---- motions ----

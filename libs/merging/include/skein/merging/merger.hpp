@@ -2,6 +2,7 @@
 // Plan merging on one UAV: reserves the air of its next way.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -192,8 +193,13 @@ class Merger {
     std::string name;
     bool reachable = true;
     std::uint64_t number = 0;
-    bool agreed = false;                ///< it has granted the open request
+    bool answered = false;              ///< the open request
     std::vector<std::string> refusers;  ///< members that block the last request, by its answer
+
+    /// Between this member and `peer` it has granted the open request.
+    bool agrees(const std::string& peer) const {
+      return answered && std::find(refusers.begin(), refusers.end(), peer) == refusers.end();
+    }
   };
 
   void on(const Heard& heard);

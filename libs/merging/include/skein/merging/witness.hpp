@@ -20,9 +20,10 @@ namespace skein::merging {
 ///
 /// Safe for any delay, loss, order and repetition of messages, for cuts, and for members that are
 /// dead. A witness that restarted without its memory grants nothing until it has heard every
-/// member, and takes requests that were open then for promised. `now` never decreases.
-/// Deterministic. Cost of a message: O(volumes wanted × volumes of all). Source: J.-F. Pâris,
-/// "Voting with witnesses", 1986; docs/decisions/0052-two-of-three.md.
+/// member, and takes requests that were open then for promised. A request is granted or refused
+/// between its member and each other one; a grant lasts until that member asks for something else.
+/// `now` never decreases. Deterministic. Cost of a message: O(volumes wanted × volumes of all).
+/// Source: J.-F. Pâris, "Voting with witnesses", 1986; docs/decisions/0052-two-of-three.md.
 class Witness {
  public:
   explicit Witness(const std::vector<std::string>& members);
@@ -45,8 +46,9 @@ class Witness {
     bool heard = false;
     std::uint64_t number = 0;
     Claim claim;
-    std::uint64_t answered = 0;
-    bool granted = false;
+    std::uint64_t answered = 0;  ///< its last request that was looked at
+    /// Members that may have some of what it asks for. To all others the request was granted.
+    std::vector<std::string> refusers = {};
     bool follows = false;      ///< it is sent the claims of those it waits for
     std::uint64_t unsure = 0;  ///< its request that may have been promised in an earlier life
   };
@@ -57,13 +59,12 @@ class Witness {
   void pass_on(const std::string& of, const std::string& to, std::vector<Answer>& answers) const;
   Answer answer_to(const std::string& to, std::uint64_t request, bool granted, MissionTime now);
   bool is_kept_for(const Record& record, const Volumes& volumes) const;
-  bool may_have(const Record& record, const Claim& asks) const;
+  bool may_have(const Record& record, const std::string& asker, const Claim& asks) const;
   bool remembers() const;
 
   std::map<std::string, Record> records_;
   bool first_life_ = false;
   MissionTime begun_;
-  std::vector<std::string> refusers_;  ///< of the last answer
   Rising numbers_;
 };
 
