@@ -11,13 +11,15 @@ namespace skein::supervisor {
 
 namespace {
 
-// In the letters that the world has them in.
-void spell_places(mission::ElementaryTask& task, const Places& places) {
+// Places and zones, in the letters that the world has them in.
+void spell_names(mission::ElementaryTask& task, const world::World& world) {
   std::vector<executive::Parameter> parameters = task.parameters.all();
   for (executive::Parameter& one : parameters) {
-    for (const auto& [name, at] : places) {
-      if (same_name(name, one.text)) one.text = name;
-    }
+    const auto spell = [text = one.text, &one](const std::string& name) {
+      if (same_name(name, text)) one.text = name;
+    };
+    for (const world::Zone& zone : world.zones) spell(zone.name);
+    for (const auto& [name, at] : world.places) spell(name);
   }
   task.parameters = executive::Parameters(std::move(parameters));
 }
@@ -57,11 +59,11 @@ std::optional<mission::Gathering> gathering_of(const mission::ElementaryTask& ta
 
 }  // namespace
 
-void know_partners(mission::ElementaryPlan& plan, const Places& places,
+void know_partners(mission::ElementaryPlan& plan, const world::World& world,
                    const std::vector<std::string>& team) {
   for (mission::ElementaryTask& task : plan.tasks) {
     if (!executive::is_joint(task.type)) continue;
-    spell_places(task, places);
+    spell_names(task, world);
     task.gathering = gathering_of(task, team);
   }
 }

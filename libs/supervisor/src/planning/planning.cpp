@@ -181,7 +181,7 @@ class Plans::Workplace {
       return tl::unexpected<PlanningFailure>(explain(request, book.store(), outcome, host_));
     auto plan = read_plan(book.store(), outcome.plans.front(), *knowledge_, origin_);
     if (!plan) return fail({plan.error().why});
-    know_partners(*plan, world_->places, knowledge_->team.values());
+    know_partners(*plan, *world_, knowledge_->team.values());
     if (auto problem_with_energy = energy_problem(*plan, request))
       return tl::unexpected<PlanningFailure>(std::move(*problem_with_energy));
     return std::move(*plan);

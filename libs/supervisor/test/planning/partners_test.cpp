@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "testing/elementary_plans.hpp"
+#include "testing/planning_lab.hpp"
 
 namespace skein::supervisor {
 namespace {
@@ -26,7 +27,10 @@ mission::ElementaryTask watch(const std::string& members, const std::string& pla
 mission::ElementaryTask known(mission::ElementaryTask task) {
   mission::ElementaryPlan plan;
   plan.tasks.push_back(std::move(task));
-  know_partners(plan, {{"Fire", world::Vector3(1, 2, 0)}}, kTeam);
+  world::World world = testing::PlanningLab().world;
+  world.places["Fire"] = {1, 2, 0};
+  world.zones.push_back({"Field", {}});
+  know_partners(plan, world, kTeam);
   return plan.tasks.front();
 }
 
@@ -47,6 +51,10 @@ TEST(Partners, KnowAJointTaskByTheSameNumberInWhateverOrderTheyAreNamed) {
 
 TEST(Partners, AreSpelledPlacesAsTheWorldHasThem) {
   EXPECT_EQ(known(watch("marvin heliv", "FIRE")).parameters.find("where")->text, "Fire");
+}
+
+TEST(Partners, AreSpelledZonesAsTheWorldHasThem) {
+  EXPECT_EQ(known(watch("marvin heliv", "field")).parameters.find("where")->text, "Field");
 }
 
 TEST(Partners, AreNoneOfATaskOfOneUavOrOfNoJointTask) {
