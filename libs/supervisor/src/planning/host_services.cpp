@@ -386,18 +386,19 @@ Value PlannerHost::Services::angles(TermStore& store, Arguments arguments) {
 Value PlannerHost::Services::tour(TermStore& store, Arguments arguments) {
   const auto from = names_.place(store, arguments[0]);
   if (!store.is_list(arguments[1])) return wrong(store, arguments[1], "list of places");
-  std::vector<Vector3> places;
+  std::vector<supervisor::Views::Stop> stops;
   std::string names;
   bool known = from.has_value();
   for (const Term term : store.items(arguments[1])) {
     const auto at = names_.place(store, term);
     known = known && at;
-    if (at) places.push_back(*at);
-    names += (names.empty() ? "" : ", ") + Gazetteer::words(store, term);
+    const std::string name = Gazetteer::words(store, term);
+    if (at) stops.push_back({name, *at});
+    names += (names.empty() ? "" : ", ") + name;
   }
   if (!known) return kNil;
-  if (places.empty()) return names_.refuse("a tour of no places");
-  const auto order = refinery_.views.tour(*from, places);
+  if (stops.empty()) return names_.refuse("a tour of no places");
+  const auto order = refinery_.views.tour(*from, stops);
   if (!order) return names_.refuse("no tour of " + names + ": " + order.error());
   return locations_term(store, *order);
 }

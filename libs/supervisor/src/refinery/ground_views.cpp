@@ -108,10 +108,10 @@ std::vector<std::size_t> shortest_order(const Lengths& lengths) {
 }  // namespace
 
 Answer<std::vector<Vector3>> Views::tour_on_the_ground(const Vector3& from,
-                                                       const std::vector<Vector3>& places,
+                                                       const std::vector<Stop>& stops,
                                                        const world::Airspace& map) const {
   std::vector<Vector3> points = {gazetteer().above(from)};
-  for (const Vector3& place : places) points.push_back(gazetteer().above(place));
+  for (const Stop& stop : stops) points.push_back(gazetteer().above(stop.at));
   const refiners::DrivingPlanner planner(map);
   Lengths lengths(points.size(), std::vector<double>(points.size(), 0));
   for (std::size_t i = 0; i < points.size(); ++i) {

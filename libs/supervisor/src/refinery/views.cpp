@@ -71,21 +71,25 @@ Answer<std::vector<Vector3>> Views::of(const Vector3& place, const world::Sensor
   return points;
 }
 
-Answer<std::vector<Vector3>> Views::tour(const Vector3& from, const std::vector<Vector3>& places) {
-  const auto air = air_.airspace(air_.counted({.suited = true}, 0));
+// Air that is closed for a time is for the ways between the places.
+Answer<std::vector<Vector3>> Views::tour(const Vector3& from, const std::vector<Stop>& stops) {
+  const TimedAir::Counted counts = air_.counted({.suited = true}, 0);
+  const auto air = air_.airspace(counts);
   if (!air) return no(air.error());
-  if (vehicle().ground) return tour_on_the_ground(from, places, **air);
+  if (vehicle().ground) return tour_on_the_ground(from, stops, **air);
+  world::World then = world();
+  then.volumes = air_.closed(counts);
   refiners::TourQuery query;
   query.vehicle = air_.cautious();
   query.start = gazetteer().flown_to(from);
-  for (const Vector3& place : places) {
-    const Vector3 at = gazetteer().flown_to(place);
-    query.stops.push_back({std::to_string(query.stops.size() + 1), {{at, at, Duration()}}});
+  for (const Stop& stop : stops) {
+    const Vector3 at = gazetteer().flown_to(stop.at);
+    query.stops.push_back({stop.name, {{at, at, Duration()}}});
   }
   query.clearance = air_.clearance();
   query.depart = air_.origin();
   const refiners::VoxelPathPlanner planner(**air);
-  const auto refined = refine(query, air_.setting(&planner));
+  const auto refined = refine(query, air_.setting(then, &planner));
   if (!refined) return no(refined.error().why);
   std::vector<Vector3> order;
   for (const refiners::Visit& visit : refined->task.visits)

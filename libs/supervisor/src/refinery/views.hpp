@@ -20,8 +20,14 @@ class Views {
                                          const world::SensorModel& device, std::size_t count,
                                          const Departure& when = {}, double seconds = 0,
                                          const Constraints& constraints = {});
+  struct Stop {
+    std::string name;  ///< in refusals
+    world::Vector3 at;
+  };
+  /// The stops in the order in which the way over all of them is shortest. Air that is closed for
+  /// a time does not count.
   Answer<std::vector<world::Vector3>> tour(const world::Vector3& from,
-                                           const std::vector<world::Vector3>& places);
+                                           const std::vector<Stop>& stops);
 
  private:
   /// Requirements on viewpoints on the ground.
@@ -35,7 +41,7 @@ class Views {
                                                       const world::SensorModel& device,
                                                       const Stands& stands) const;
   Answer<std::vector<world::Vector3>> tour_on_the_ground(const world::Vector3& from,
-                                                         const std::vector<world::Vector3>& places,
+                                                         const std::vector<Stop>& stops,
                                                          const world::Airspace& map) const;
   const Gazetteer& gazetteer() const { return air_.gazetteer(); }
   const world::World& world() const { return air_.world(); }

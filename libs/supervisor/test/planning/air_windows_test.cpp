@@ -100,6 +100,31 @@ TEST(AirWindows, ATourBehindAWallThatOpensIsPlanned) {
   EXPECT_THAT(names_of(planned(lab)), ElementsAre("wait", "gotoxyz", "gotoxyz"));
 }
 
+TEST(AirWindows, ATourToAPlaceThatClosesLongAfterwardsIsPlanned) {
+  PlanningLab lab = with(box(170, -30, 230, 30, 5000, 6000));
+  lab.world.places["inside"] = Vector3(200, 0, 0);
+  lab.task(1, "perform-tour", {Names{"inside"}});
+
+  EXPECT_THAT(names_of(planned(lab)), ElementsAre("gotoxyz"));
+}
+
+TEST(AirWindows, ATourToAPlaceThatOpensWaitsForIt) {
+  PlanningLab lab = with(box(170, -30, 230, 30, 0, 60));
+  lab.world.places["inside"] = Vector3(200, 0, 0);
+  lab.task(1, "perform-tour", {Names{"inside"}});
+
+  EXPECT_THAT(names_of(planned(lab)), ElementsAre("wait", "gotoxyz"));
+}
+
+TEST(AirWindows, ATourIsToldThePlaceThatNeverOpens) {
+  PlanningLab lab = with(box(170, -30, 230, 30, 0, kForEver));
+  lab.world.places["inside"] = Vector3(200, 0, 0);
+  lab.world.places["outside"] = Vector3(100, 100, 0);
+  lab.task(1, "perform-tour", {Names{"outside", "inside"}});
+
+  EXPECT_THAT(lab.reasons(), HasSubstr("stop 'inside' has no gate that is open"));
+}
+
 TEST(AirWindows, ATakeoffBeforeTheAirAboveItClosesIsPlanned) {
   PlanningLab lab = without();
   lab.situation = PlanningLab().situation;  // on the ground
