@@ -9,7 +9,8 @@ namespace skein::world {
 
 namespace {
 
-constexpr double kFinest = 1;  // [m] between points that are looked at
+constexpr double kFinest = 1;      // [m] between points that are looked at
+constexpr double kOfRadius = 0.5;  // at most, so that the rim is looked at in large cells too
 
 std::string outside() { return "no landing outside the terrain"; }
 
@@ -32,7 +33,7 @@ std::optional<std::string> landing_problem(const Terrain& terrain, const Vector2
 std::optional<std::string> landing_problem(const Terrain& terrain, const Vector2& centre,
                                            double radius) {
   if (radius <= 0) return landing_problem(terrain, centre);
-  const double step = std::max(kFinest, terrain.spec().cell / 4);
+  const double step = std::max(kFinest, std::min(terrain.spec().cell / 4, radius * kOfRadius));
   const int steps = static_cast<int>(std::ceil(radius / step));
   double steepest = 0;
   for (int row = -steps; row <= steps; ++row) {

@@ -10,11 +10,11 @@ namespace skein::world {
 namespace {
 
 /// Level but for a hill whose flanks, some 100 m around its top, are too steep.
-Terrain hill() {
+Terrain hill(double cell = 20) {
   TerrainSpec spec;
   spec.west = spec.south = -500;
   spec.east = spec.north = 500;
-  spec.cell = 20;
+  spec.cell = cell;
   spec.hills = {{{100, 0}, 80, 200}};
   return Terrain(spec);
 }
@@ -40,6 +40,17 @@ TEST(LandingGround, AGentlePlaceBesideASteepOneDoesNotServeWhoMayMissIt) {
   ASSERT_FALSE(landing_problem(terrain, {100, 0})) << "the top is level";
 
   EXPECT_TRUE(landing_problem(terrain, {100, 0}, 80));
+}
+
+TEST(LandingGround, ABorderOfSteepGroundIsSeenByWhoMayMissItBarelyInLargeCells) {
+  const Terrain terrain = hill(100);
+  int borders = 0;
+  for (double x = -300; x < 300; ++x) {
+    if (landing_problem(terrain, {x, 10}) || !landing_problem(terrain, {x + 2, 10})) continue;
+    ++borders;
+    EXPECT_TRUE(landing_problem(terrain, {x, 10}, 2)) << x;
+  }
+  EXPECT_GT(borders, 0);
 }
 
 RC_GTEST_PROP(LandingGround, WhereADiskServesEveryPointOfItDoesButForWhatLiesBetweenItsPoints, ()) {

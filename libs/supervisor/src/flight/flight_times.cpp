@@ -30,6 +30,7 @@ constexpr double kGustTime = 10;           // [s] over which gusts are as one
 constexpr double kDrivingLoss = 1;         // [s] of a drive, at each corner and at its end
 constexpr double kSettling = 4;            // of a climb, at its end
 constexpr double kFlare = 6;               // of a descent, near the ground
+constexpr double kJoining = 1.3;           // of its circle: it is joined from inside and outside
 constexpr double kSlowVertical = 1.5;
 constexpr double kCorrections = 6;        // of a pilot, before it is content
 constexpr double kCorrectionsOnAWay = 4;  // of which it does the others in passing
@@ -141,6 +142,10 @@ double corner_seconds(std::size_t corners, const VehicleModel& vehicle) {
 
 double arrival_distance(const VehicleModel& vehicle, const Wind& wind) {
   return 4 * world::tracking_spread(vehicle) + 2 * greatest_drift(vehicle, wind);
+}
+
+double waiting_reach(const VehicleModel& vehicle, const Wind& wind) {
+  return arrival_distance(vehicle, wind) + (vehicle.hovers ? 0 : kJoining * vehicle.orbit_radius);
 }
 
 double stay_radius(const VehicleModel& vehicle) {

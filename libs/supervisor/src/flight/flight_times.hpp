@@ -16,6 +16,9 @@ struct Times {
 /// Within this distance of its destination a vehicle may report to have arrived [m].
 double arrival_distance(const world::VehicleModel& vehicle, const world::Wind& wind);
 
+/// Bound on the distance from a waiting place, while waiting and while joining the circle [m].
+double waiting_reach(const world::VehicleModel& vehicle, const world::Wind& wind);
+
 /// Bound on a waiting vehicle's distance from its waiting place: three standard deviations of its
 /// tracking and, if it cannot hover, the radius of its circle [m].
 double stay_radius(const world::VehicleModel& vehicle);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "flight/flight_times.hpp"
@@ -29,19 +30,51 @@ Vector3 ground_at(const world::World& world, const Vector2& at) {
   return {at.x(), at.y(), world.terrain.elevation(at.x(), at.y())};
 }
 
-}  // namespace
-
-const world::Volume* closed_over(const Knowledge& knowledge, const world::World& world,
-                                 world::TimeWindow when, const Vector3& at) {
+const world::Volume* closed_within(double margin, const Knowledge& knowledge,
+                                   const world::World& world, world::TimeWindow when,
+                                   const Vector3& at) {
   const Vector3 ground = ground_at(world, at.head<2>());
   const Vector3 above = ground + Vector3(0, 0, knowledge.altitude);
-  const double margin = knowledge.vehicle.body_radius +
-                        (knowledge.vehicle.hovers ? 0 : knowledge.vehicle.orbit_radius);
   const auto found =
       std::find_if(world.volumes.begin(), world.volumes.end(), [&](const world::Volume& volume) {
         return volume.when.overlaps(when) && crosses(volume, margin, ground, above);
       });
   return found == world.volumes.end() ? nullptr : &*found;
+}
+
+/// Whether it may wait over a place, as ways that end there must allow.
+bool may_wait_over(const Knowledge& knowledge, const world::World& world, world::TimeWindow when,
+                   const Vector3& at) {
+  const world::VehicleModel& vehicle = knowledge.vehicle;
+  const double around = std::max(vehicle.body_radius, waiting_reach(vehicle, world.wind));
+  return closed_within(around, knowledge, world, when, at) == nullptr;
+}
+
+/// Of the places around `wanted` that are fit the nearest, of equally near ones that to `from`.
+std::optional<Vector3> nearest(const world::World& world, const Vector3& from,
+                               const Vector3& wanted,
+                               const std::function<bool(const Vector3&)>& fit) {
+  for (double out = kStep; out <= kFarthest; out += kStep) {
+    std::optional<Vector3> best;
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kDirections;
+      const Vector3 at =
+          ground_at(world, wanted.head<2>() + out * Vector2(std::cos(angle), std::sin(angle)));
+      const auto far = [&](const Vector3& one) { return (one - from).head<2>().norm(); };
+      if ((!best || far(at) < far(*best)) && fit(at)) best = at;
+    }
+    if (best) return best;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+const world::Volume* closed_over(const Knowledge& knowledge, const world::World& world,
+                                 world::TimeWindow when, const Vector3& at) {
+  const double margin = knowledge.vehicle.body_radius +
+                        (knowledge.vehicle.hovers ? 0 : knowledge.vehicle.orbit_radius);
+  return closed_within(margin, knowledge, world, when, at);
 }
 
 std::optional<std::string> landing_problem(const Knowledge& knowledge, const world::World& world,
@@ -58,18 +91,10 @@ std::optional<Vector3> landing_place(const Knowledge& knowledge, const world::Wo
                                      const Vector3& wanted) {
   const auto fit = [&](const Vector3& at) { return !landing_problem(knowledge, world, when, at); };
   if (fit(wanted)) return wanted;
-  for (double out = kStep; out <= kFarthest; out += kStep) {
-    std::optional<Vector3> best;
-    for (int i = 0; i < kDirections; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kDirections;
-      const Vector3 at =
-          ground_at(world, wanted.head<2>() + out * Vector2(std::cos(angle), std::sin(angle)));
-      const auto far = [&](const Vector3& one) { return (one - from).head<2>().norm(); };
-      if ((!best || far(at) < far(*best)) && fit(at)) best = at;
-    }
-    if (best) return best;
-  }
-  return std::nullopt;
+  const auto at = nearest(world, from, wanted, [&](const Vector3& one) {
+    return fit(one) && may_wait_over(knowledge, world, when, one);
+  });
+  return at ? at : nearest(world, from, wanted, fit);  // who must land lands
 }
 
 }  // namespace skein::supervisor

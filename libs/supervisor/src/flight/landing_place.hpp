@@ -22,7 +22,8 @@ const world::Volume* closed_over(const Knowledge& knowledge, const world::World&
                                  world::TimeWindow when, const world::Vector3& at);
 
 /// The landing place nearest to `wanted`, of equally near ones the nearest to `from`; `wanted`
-/// itself if the vehicle can land there. On the ground [m] ENU; absent: none within 600 m. Cost:
+/// itself if the vehicle can land there. Another one is as far from closed air as a way that ends
+/// over it must be, if there is such a one. On the ground [m] ENU; absent: none within 600 m. Cost:
 /// some thousand calls of landing_problem() at most.
 std::optional<world::Vector3> landing_place(const Knowledge& knowledge, const world::World& world,
                                             world::TimeWindow when, const world::Vector3& from,

@@ -24,7 +24,6 @@ namespace {
 
 constexpr double kLeastClearance = 5;  // [m]
 constexpr double kClimbShare = 0.8;    // of its rates, in ways of a vehicle that cannot hover
-constexpr double kJoining = 1.3;       // of its circle: it is joined from inside and outside
 constexpr std::array<double, 3> kRaised = {10, 20, 40};  // [m] more over ground that turns meet
 constexpr int kAround = 8;
 constexpr double kSamePlace = 0.5;  // [m]
@@ -80,9 +79,7 @@ refiners::Setting TimedAir::setting(const world::World& world,
 
 double TimedAir::stray() const { return arrival_distance(vehicle(), world().wind); }
 
-double TimedAir::reach() const {
-  return vehicle().hovers ? stray() : kJoining * vehicle().orbit_radius + stray();
-}
+double TimedAir::reach() const { return waiting_reach(vehicle(), world().wind); }
 
 double TimedAir::clearance() const {
   return std::max(kLeastClearance, 4 * world::tracking_spread(vehicle())) + raised_;

@@ -194,6 +194,19 @@ TEST(LandingPlace, UnderClosedAirIsOutsideOfIt) {
   EXPECT_GT(at->x(), 50) << "on the side that it comes from";
 }
 
+TEST(LandingPlace, UnderClosedAirIsOneThatAWayLeadsTo) {
+  for (const std::string vehicle : {"karma", "heliv"}) {
+    PlanningLab lab = lab_of(vehicle);
+    lab.world.volumes = {wall(-57, 57, -57, 57)};
+    lab.flying_at({200, 0, 60}).task(1, "general-land");
+
+    const auto plan = lab.plan();
+
+    ASSERT_TRUE(plan) << vehicle << ": " << lab.reasons();
+    EXPECT_EQ(plan->tasks.back().type, "land");
+  }
+}
+
 TEST(LandingPlace, IsPlannedInTheDomain) {
   PlanningLab lab = on_a_hill();
   lab.flying_at({200, 0, 60}).task(1, "general-land");

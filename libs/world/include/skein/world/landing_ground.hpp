@@ -17,7 +17,8 @@ inline constexpr double kSteepestLanding = 0.2;
 std::optional<std::string> landing_problem(const Terrain& terrain, const Vector2& at);
 
 /// The same for all points within `radius` [m] of `centre`, for vehicles with a touchdown error;
-/// samples the slope a quarter of a cell, but at least 1 m, apart. Cost: O(area / cell²).
+/// samples the slope a quarter of a cell apart, but at most half the radius and at least 1 m.
+/// Cost: O(area / cell²).
 std::optional<std::string> landing_problem(const Terrain& terrain, const Vector2& centre,
                                            double radius);
 
