@@ -43,7 +43,9 @@ void Blackboard::Impl::admit_part(std::size_t channel, Peer& peer, const wire::P
   auto& sample = std::get<wire::Sample>(*whole);
   const wire::Slot slot = wire::slot_of(sample);
   if (wire::slot_class(slot) == wire::SlotClass::kState) {
-    freshness_.note_parts(slot, wire::header_of(sample));
+    const wire::SampleHeader& header = wire::header_of(sample);
+    if (header.origin == config_.self.value()) return;  // a relay sends it back: our own
+    freshness_.note_parts(slot, header);
     return admit(channel, std::move(sample), now);
   }
   if (const auto violation =

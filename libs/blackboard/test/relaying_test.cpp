@@ -7,7 +7,9 @@
 #include <deque>
 #include <memory>
 
+#include "skein/blackboard/cdr.hpp"
 #include "testing/radio_net.hpp"
+#include "testing/samples.hpp"
 
 namespace skein::blackboard::testing {
 namespace {
@@ -293,6 +295,22 @@ TEST_F(LyingRelay, CannotInventNodesNorPassRoundInCircles) {
 TEST_F(LyingRelay, WhoIsNoRelayPassesNothingOn) {
   EXPECT_EQ(refused(wire::Telemetry{}, kRelay, {kGroundNumber}, "radio/ground>victim"),
             "header.via");
+}
+
+// While the ways change a relay may take the way that it came by for the shorter one.
+TEST_F(LyingRelay, MaySendALongStateBackToWhereItBegan) {
+  wire::AutonomyDegree state = degree(4);
+  state.header.origin = kVictim;
+  state.header.destination = kGroundNumber;
+  state.header.incarnation = state.header.sequence_number = 1;
+  state.header.via = {kRelay};
+  wire::Part part;
+  part.number = 1;
+  part.of_slot = static_cast<std::uint8_t>(wire::Slot::kAutonomyDegree);
+  part.content = in_cdr(state);
+  part.total = static_cast<std::uint32_t>(part.content.size());
+
+  EXPECT_EQ(refused(part, kRelay, {}), "");
 }
 
 // Random systems.
