@@ -7,6 +7,7 @@
 
 #include "flight/flight_times.hpp"
 #include "planning/terms.hpp"
+#include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::supervisor {
 
@@ -110,7 +111,7 @@ HostValue HostRelations::in_time(TermStore& store, HostArguments arguments) {
   if (!start || !duration) return failure("start and duration must be ((num LEAST) (num MOST))");
   const auto at = [&](double s) {
     return std::isinf(s) ? std::string("an unknown time")
-                         : to_text(origin_ + Duration::seconds(std::round(s * 10) / 10)) + " s";
+                         : in_seconds(origin_ + Duration::seconds(s));
   };
   bool fits = true;
   const auto check = [&](std::size_t which, double least, double most, const std::string& verb) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "skein/htn/utf8.hpp"
+
 namespace skein::supervisor {
 
 using htn::Term;
@@ -99,9 +101,13 @@ Term headed(TermStore& store, std::string_view head, std::vector<Term> items) {
 }
 
 bool same_name(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+  const auto is_ascii = [](unsigned char x) { return x < 0x80; };
+  const auto same = [](unsigned char x, unsigned char y) {
     return std::tolower(x) == std::tolower(y);
-  });
+  };
+  if (std::all_of(a.begin(), a.end(), is_ascii))
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+  return htn::lowered(a) == htn::lowered(b);  // as symbols are
 }
 
 htn::Term target_term(htn::TermStore& store, const world::Vector3& at) {

@@ -32,7 +32,7 @@ htn::Term location_term(htn::TermStore& store, const world::Vector3& at);
 /// (HEAD item…).
 htn::Term headed(htn::TermStore& store, std::string_view head, std::vector<htn::Term> items);
 
-/// Equality regardless of case.
+/// Equality regardless of case, as symbols of the planner are equal.
 bool same_name(std::string_view a, std::string_view b);
 /// ((target LOC)).
 htn::Term target_term(htn::TermStore& store, const world::Vector3& at);

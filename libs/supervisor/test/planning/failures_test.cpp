@@ -62,6 +62,14 @@ TEST(PlanningFailures, APlaceNearHomeNeedsRoomForTheCirclesOfOneThatCannotHover)
   EXPECT_EQ(plan_of("general-land", {}), "a plan");
 }
 
+TEST(PlanningFailures, APlaceIsKnownByCapitalsOfOtherAlphabetsToo) {
+  PlanningLab lab = flying();
+  lab.world.places["\u00d6ster\u00e5ker"] = Vector3(100, 0, 40);
+  lab.task(2, "general-gotoxyz", {"\u00d6ster\u00e5ker"s});
+
+  EXPECT_TRUE(lab.plan()) << lab.reasons();
+}
+
 TEST(PlanningFailures, WaysGoRoundWhatIsClosed) {
   PlanningLab lab = flying();
   lab.world.volumes.push_back(volume("tower", -20, 30, 40, 60));

@@ -158,6 +158,15 @@ TEST(PlanningTime, APlanThatMightEndTooLateIsRefusedWithFigures) {
   EXPECT_EQ(lab.reasons(), "wait of goal 2 ends between 50 s and 50 s, but must end before 49 s\n");
 }
 
+TEST(PlanningTime, FiguresAreRoundedWheneverItIsPlanned) {
+  PlanningLab lab = flying();
+  lab.situation.origin = at(1000) + Duration::nanoseconds(1);
+  lab.task(2, "general-wait", {50.0}, {std::nullopt, std::nullopt, at(1049), std::nullopt});
+
+  EXPECT_EQ(lab.reasons(),
+            "wait of goal 2 ends between 1050 s and 1050 s, but must end before 1049 s\n");
+}
+
 TEST(PlanningTime, BoundsThatAreJustKeptAreKept) {
   PlanningLab lab = flying();
   lab.task(2, "general-wait", {50.0}, {at(0), at(0), at(50), at(50)});
