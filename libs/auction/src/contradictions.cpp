@@ -4,7 +4,7 @@
 
 #include "chains.hpp"
 #include "skein/auction/task.hpp"
-#include "skein/foundation/time.hpp"
+#include "skein/foundation/rounded_seconds.hpp"
 #include "start_bounds.hpp"
 
 namespace skein::auction {
@@ -13,7 +13,7 @@ namespace {
 
 using Found = std::vector<Contradiction>;
 
-std::string seconds(double value) { return to_text(Duration::seconds(value)) + " s"; }
+std::string seconds(double value) { return in_seconds(Duration::seconds(value)); }
 
 std::vector<TaskNumber> numbers(const Catalogue& catalogue,
                                 const std::vector<std::uint32_t>& chain) {

@@ -6,13 +6,13 @@
 #include "chains.hpp"
 #include "one_member.hpp"
 #include "skein/foundation/joined.hpp"
-#include "skein/foundation/time.hpp"
+#include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::auction {
 
 namespace {
 
-std::string in_seconds(double value) { return to_text(Duration::seconds(value)) + " s"; }
+std::string in_seconds(double value) { return skein::in_seconds(Duration::seconds(value)); }
 
 /// Of the tasks that need a member whoever else does them, those that fit in no order.
 class SharedMembers {

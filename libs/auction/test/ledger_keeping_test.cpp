@@ -338,7 +338,7 @@ TEST_F(LedgerKeepingTest, WhatIsTooLateIsForNobodyAndItsTimesAreThoseOfTheMissio
   bids.bids = true;
   bids.revision = holder->ledger().revision;
 
-  says(1, bids, 95.5);
+  says(1, bids, 95.512345678);
 
   EXPECT_EQ(stage(4), Stage::kUnsold);
   EXPECT_EQ(entry(4).why,
