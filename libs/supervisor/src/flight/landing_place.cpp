@@ -26,6 +26,15 @@ double astray(const Knowledge& knowledge, const world::World& world) {
   return arrival_distance(vehicle, world.wind) + (vehicle.hovers ? 0 : vehicle.orbit_radius);
 }
 
+/// How far beside a place it may be while it comes down there [m]. One that circles comes to above
+/// the place and turns as narrowly as it can; a wind carries it on meanwhile.
+double beside(const world::VehicleModel& vehicle, const world::Wind& wind) {
+  if (vehicle.hovers) return 0;
+  const double half_turn = std::numbers::pi * vehicle.min_turn_radius / vehicle.cruise_speed;
+  const double carried = vehicle.wind_drift * (wind.speed + wind.gusts) * half_turn;
+  return std::max(vehicle.orbit_radius, 2 * vehicle.min_turn_radius + carried);
+}
+
 Vector3 ground_at(const world::World& world, const Vector2& at) {
   return {at.x(), at.y(), world.terrain.elevation(at.x(), at.y())};
 }
@@ -72,8 +81,7 @@ std::optional<Vector3> nearest(const world::World& world, const Vector3& from,
 
 const world::Volume* closed_over(const Knowledge& knowledge, const world::World& world,
                                  world::TimeWindow when, const Vector3& at) {
-  const double margin = knowledge.vehicle.body_radius +
-                        (knowledge.vehicle.hovers ? 0 : knowledge.vehicle.orbit_radius);
+  const double margin = knowledge.vehicle.body_radius + beside(knowledge.vehicle, world.wind);
   return closed_within(margin, knowledge, world, when, at);
 }
 

@@ -326,5 +326,22 @@ TEST(ClosedAir, OverATakeoffRefusesIt) {
   EXPECT_THAT(lab.reasons(), HasSubstr("the air over it is closed (volume 'wall')"));
 }
 
+// Found by random missions (--anything --minds 1011007): over a pad 52 m beside closed air a blimp,
+// which circles with 40 m, turned 65 m away from it, with the wind.
+TEST(LandingPlace, OneThatCirclesTurnsAsideWithTheWind) {
+  const auto serves = [](const std::string& vehicle, double closed_from, double wind) {
+    PlanningLab lab = lab_of(vehicle);
+    lab.world.wind = {3, wind, 0};
+    lab.world.volumes = {wall(-closed_from - 100, -closed_from, -80, 80)};
+    return !landing_problem(lab.knowledge, lab.world, {}, {0, 0, 0}).has_value();
+  };
+
+  EXPECT_FALSE(serves("karma", 52, 3.6));
+  EXPECT_FALSE(serves("karma", 65, 3.6));
+  EXPECT_TRUE(serves("karma", 65, 0)) << "twice its least radius, in still air";
+  EXPECT_TRUE(serves("karma", 75, 3.6));
+  EXPECT_TRUE(serves("marvin", 52, 3.6)) << "it hovers";
+}
+
 }  // namespace
 }  // namespace skein::supervisor::testing
