@@ -48,9 +48,10 @@ void Autonomy::change(const mission::ChangeDegree& change, const std::string& as
   if (change.interrupt) interrupt_everything();
   std::vector<mission::HeldTask> held = core_.execution().held();
   if (mission::runs_at_ground(degree_)) {
-    // What is being interrupted is seen to its end here, and own tasks stay.
+    // What is being interrupted is seen to its end here, as what was left with a role is, and own
+    // tasks stay: they have numbers which the ground cannot give back.
     const executive::TaskId below =
-        change.interrupt ? executive::TaskId(0) : functional::kFirstOwnId;
+        change.interrupt ? executive::TaskId(0) : functional::kFirstRoleId;
     std::erase_if(held, [&](const auto& one) { return one.task.id >= below; });
     core_.execution().let_go(below, held);
   }

@@ -8,10 +8,11 @@ namespace skein::decision_node {
 
 namespace {
 
-/// At every degree they are here: a wait in place, the way home.
+/// At every degree they are here: a wait in place, the way home, what a role that was left still
+/// ends.
 bool aborts_own(const mission::Request& request) {
   const auto* abort = std::get_if<executive::Abort>(&request);
-  return abort != nullptr && is_own(abort->id);
+  return abort != nullptr && abort->id >= functional::kFirstRoleId;
 }
 
 }  // namespace
