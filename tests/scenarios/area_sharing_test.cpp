@@ -80,9 +80,24 @@ TEST(AreaSharing, WhatOneLeavesTheOthersFinishTogether) {
   }
 }
 
+// Found by storms (one-lost 844): they struck each other, and one of them the third.
+TEST(AreaSharing, TwoOfThreeThatDoNotHearEachOtherForAWhileCountOnEachOther) {
+  scenario::Scenario area = scenario_at("area-sharing/negotiated", with(1));
+  area.radio.cuts.push_back(
+      {"wren", "swift", MissionTime::seconds(189), MissionTime::seconds(330)});
+
+  const Mission mapping = play(area);
+
+  EXPECT_EQ(mapping.count({{"kind", "joint"}, {"holders", "heron map, wren map"}}), 0U);
+  EXPECT_EQ(mapping.count({{"kind", "joint"}, {"holders", "heron map, swift map"}}), 0U);
+  EXPECT_EQ(mapping.count({{"kind", "joint"}, {"phase", "ended"}}), 3U);
+  EXPECT_EQ(mapping.untrue, "");
+}
+
 // Found by storms (302, 509): the third one took each of them for lost, on the other's word.
 TEST(AreaSharing, TwoOfThreeThatLoseEachOtherMapItToTheEndAllTheSame) {
   scenario::Scenario area = scenario_at("area-sharing/negotiated", with(1));
+  area.planning->partner_lease = Duration::seconds(60);
   area.radio.cuts.push_back(
       {"heron", "wren", MissionTime::seconds(1098), MissionTime::seconds(1187)});
 

@@ -2,6 +2,7 @@
 // Which partners of a joint task have ended, and which are lost to it.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -13,18 +14,27 @@
 namespace skein::decision_node {
 
 /// Once roles are agreed a holder of one is counted on until it says that it has ended. One that is
-/// out of reach for kLostAfter, or declared lost, is lost. Source: spec 7.3.
+/// declared lost, or out of reach for kLostAfter, is lost; out of reach for its lease, while
+/// another holder that is in reach hears it and counts on it. Source: spec 7.3.
 class Companions {
  public:
   static constexpr Duration kLostAfter = Duration::milliseconds(60'000);
+  /// From when on it is told who is out of reach: before anybody asks.
+  static constexpr Duration kToldAfter = Duration::milliseconds(30'000);
 
   /// Of `self`. References that must outlive it.
   Companions(const Partners& partners, const Membership& my, const std::string& self)
       : partners_(partners), my_(my), self_(self) {}
 
   /// Roles were agreed: what was said of the end of others counts no more.
-  void begin_anew() { ended_.clear(); }
+  void begin_anew();
   void has_ended(const std::string& uav) { ended_.insert(uav); }
+  /// A holder of a role said this of itself, and of whom it does not hear.
+  void told(const interaction::JointTaskStatus& status);
+  /// Whether every holder of a role that is counted on has said that its role runs, or ran.
+  bool all_have_begun() const;
+  /// Those who are out of reach: a row `silent` for each, with its name.
+  interaction::Rows silent(MissionTime now) const;
   /// Whether every other holder of a role has.
   bool all_have_ended() const;
 
@@ -33,18 +43,22 @@ class Companions {
   };
   /// Of those that are counted on.
   std::vector<Lost> lost(MissionTime now) const;
-  /// When the next of them is lost, if it stays silent.
-  std::optional<MissionTime> next_loss() const;
+  /// When the next of them is told to be out of reach, or may be lost, if it stays silent.
+  std::optional<MissionTime> next_loss(MissionTime now) const;
   /// When the next member is given up by who waits for it since then, if it stays silent.
   std::optional<MissionTime> next_given_up(MissionTime waits_since) const;
 
  private:
   std::vector<std::string> counted_on() const;
+  bool is_silent_for(const std::string& uav, Duration time, MissionTime now) const;
+  bool is_heard_by_another(const std::string& uav, MissionTime now) const;
 
   const Partners& partners_;
   const Membership& my_;
   const std::string& self_;
-  std::set<std::string> ended_;
+  std::set<std::string> ended_, begun_;
+  /// Whom each other holder hears of those on whom it counts, as it said last.
+  std::map<std::string, std::set<std::string>> hears_;
 };
 
 }  // namespace skein::decision_node

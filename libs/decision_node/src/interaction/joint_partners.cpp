@@ -68,6 +68,7 @@ void JointTask::partner_told(const interaction::JointTaskStatus& status, Mission
   // What it said before the roles were agreed is about an attempt before this one.
   if (!roles_known_ || at <= agreed_at_) return;
   if (status.phase == JointPhase::kEnded) companions_.has_ended(status.uav);
+  companions_.told(status);
   play_.mapping().share().told(status.uav, status.left);
   const bool goes_on = my_.phase == JointPhase::kRunning && status.phase == JointPhase::kRunning;
   if (goes_on && !status.holders.empty() && !status.holders.contains(self()))

@@ -276,7 +276,7 @@ std::optional<MissionTime> JointTask::next_wakeup() const {
   if (my_.phase == JointPhase::kLoaded && dispatched_) next = earliest(next, agreed_start_);
   if (my_.phase == JointPhase::kLoading)
     next = earliest(next, companions_.next_given_up(time_.since()));
-  return needs_partners(my_, play_) ? earliest(next, companions_.next_loss()) : next;
+  return needs_partners(my_, play_) ? earliest(next, companions_.next_loss(now())) : next;
 }
 
 // ---- the end ----
@@ -333,6 +333,8 @@ void JointTask::announce() {
   status.why = my_.why;
   status.holders = my_.holders;
   play_.tell_of(status);
+  if (needs_partners(my_, play_))
+    for (interaction::Row& row : companions_.silent(now())) status.left.push_back(std::move(row));
   status.agreed_start = agreed_start_;
   if (told_ == status) return;
   told_ = status;

@@ -43,6 +43,7 @@ struct JointTaskStatus {
   std::optional<MissionTime> agreed_start;
   /// Once the UAV has an agreed share of an area: a row `round`, how often the area was shared, and
   /// a row `left` with the corners of each convex piece that it has still to map.
+  /// While it needs its partners, a row `silent` for each that it has not heard for half a minute.
   Rows left;
   bool operator==(const JointTaskStatus&) const = default;
 };
