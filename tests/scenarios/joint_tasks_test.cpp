@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(AreaSharing, Teamwork,
                          ::testing::Values("area-sharing/negotiated", "area-sharing/one-leaves",
                                            "area-sharing/one-lost", "area-sharing/one-back",
                                            "area-sharing/central", "area-sharing/proportional",
-                                           "area-sharing/alone"),
+                                           "area-sharing/alone", "area-sharing/two-in-a-row"),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Degree5, Teamwork,
                          ::testing::Values("team/two", "team/five", "team/comets", "team/mixed",

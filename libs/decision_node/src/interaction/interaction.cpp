@@ -51,7 +51,7 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
   }
   // The plan may have been made anew meanwhile: what it asks for is the same with another number.
   const auto same = std::find_if(tasks_.begin(), tasks_.end(), [&](const auto& one) {
-    return one.second->joint().subject == joint->subject && one.second->is_to_begin();
+    return one.second->joint().subject == joint->subject && is_to_begin(one.second->phase());
   });
   if (same != tasks_.end()) {
     auto moved = tasks_.extract(same);
@@ -73,6 +73,7 @@ EarlierAttempts Interaction::attempts_at(const std::string& subject) const {
     const EarlierAttempts one = task->before();
     all.has_run = all.has_run || one.has_run;
     all.waits_since = earliest(all.waits_since, one.waits_since);
+    all.engaged.insert(one.engaged.begin(), one.engaged.end());
   }
   return all;
 }
@@ -111,6 +112,22 @@ const Interaction::Refusal* Interaction::refusal_of(const std::string& subject,
                                                     const std::string& uav) const {
   const auto known = refusals_.find({subject, uav});
   return known == refusals_.end() ? nullptr : &known->second;
+}
+
+std::optional<MissionTime> Interaction::engaged_until(executive::TaskId task) const {
+  std::optional<MissionTime> until;
+  for (const executive::TaskId earlier : host_.joint_tasks_before(task)) {
+    const auto found = tasks_.find(earlier);
+    const auto one = found == tasks_.end() ? std::nullopt : found->second->not_agreed_until();
+    if (one) until = std::max(until.value_or(*one), *one);
+  }
+  return until;
+}
+
+void Interaction::phase_changed() {
+  host_.bus().post([this] {
+    for (const auto& [id, task] : tasks_) task->look_at_earlier();
+  });
 }
 
 void Interaction::due(executive::TaskId task, bool interrupt) {

@@ -63,6 +63,11 @@ class Interaction final : public Component {
   };
   /// Null: it has not said so, says something else since, or it is long over.
   const Refusal* refusal_of(const std::string& subject, const std::string& uav) const;
+  /// Until when at most this UAV waits for joint tasks that come before this one in its plan and
+  /// are not agreed on; absent: there is none.
+  std::optional<MissionTime> engaged_until(executive::TaskId task) const;
+  /// A joint task is agreed on, is not any more, or is over: later ones may wait for it.
+  void phase_changed();
   /// Of the tasks of all roles.
   Aborts& aborts() { return aborts_; }
   /// The id for a new task of a role.

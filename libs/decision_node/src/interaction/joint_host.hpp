@@ -43,6 +43,8 @@ class JointHost {
   /// The vehicle's state at the planned beginning of the joint task, given its state now.
   virtual world::VehicleState when_it_begins(executive::TaskId joint,
                                              const world::VehicleState& seen) const = 0;
+  /// The joint tasks of this UAV's plan that come before this one; it may have no plan.
+  virtual std::vector<executive::TaskId> joint_tasks_before(executive::TaskId) const { return {}; }
   /// Whether this UAV could stay at a place beside the reservations of others (plan merging); an
   /// empty function: ways are not merged.
   virtual std::function<bool(const world::Vector3&)> free_to_stay() const { return {}; }

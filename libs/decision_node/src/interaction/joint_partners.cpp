@@ -17,8 +17,9 @@ using interaction::JointPhase;
 EarlierAttempts JointTask::before() const {
   const bool has_run = play_.has_begun();
   EarlierAttempts before{my_.phase == JointPhase::kAborted && has_run, std::nullopt};
+  before.engaged = time_.engaged_partners();
   const bool just_failed = over_since_ && now() <= *over_since_ + kPlannedAgain;
-  if (just_failed && !has_run) before.waits_since = time_.since();
+  if (just_failed && !has_run) before.waits_since = time_.since(now());
   return before;
 }
 
@@ -27,7 +28,7 @@ void JointTask::do_without_the_absent() {
   std::vector<std::string> there = asked_.members;
   std::string why;
   std::erase_if(there, [&](const std::string& uav) {
-    if (uav == self()) return false;
+    if (uav == self_) return false;
     const auto since = interaction_.partners().silent_since(uav);
     const Interaction::Refusal* refused = interaction_.refusal_of(asked_.subject, uav);
     const bool stands =
@@ -48,11 +49,11 @@ void JointTask::do_without_the_absent() {
 // Who is silent for its lease, or declared lost, is waited for no longer. Where it may be done
 // without, it is: the lease is no shorter than what that takes.
 void JointTask::give_up_on_partners() {
-  if (!is_to_begin()) return;
-  for (const std::string& uav : asked_.others(self())) {
+  if (!is_to_begin(my_.phase)) return;
+  for (const std::string& uav : asked_.others(self_)) {
     const bool is_lost = interaction_.partners().is_declared_lost(uav);
     if (my_.phase == JointPhase::kLoaded && (!is_lost || !my_.holders.contains(uav))) continue;
-    const auto why = interaction_.partners().given_up(uav, time_.since(), now());
+    const auto why = interaction_.partners().given_up(uav, time_.since(now()), now());
     if (!why) continue;
     if (roles_known_ && my_.holders.contains(uav)) load_again(*why);
     if (!roles_known_) do_without_the_absent();
@@ -65,14 +66,20 @@ void JointTask::give_up_on_partners() {
 void JointTask::partner_told(const interaction::JointTaskStatus& status, MissionTime at) {
   const bool gone = status.phase == JointPhase::kLeaving || status.phase == JointPhase::kAborted ||
                     status.phase == JointPhase::kNotLoaded;
+  if (status.phase == JointPhase::kLoading) time_.engage(status.uav, status.agreed_start, now());
   // What it said before the roles were agreed is about an attempt before this one.
   if (!roles_known_ || at <= agreed_at_) return;
   if (status.phase == JointPhase::kEnded) companions_.has_ended(status.uav);
   companions_.told(status);
   play_.mapping().share().told(status.uav, status.left);
   const bool goes_on = my_.phase == JointPhase::kRunning && status.phase == JointPhase::kRunning;
-  if (goes_on && !status.holders.empty() && !status.holders.contains(self()))
+  if (goes_on && !status.holders.empty() && !status.holders.contains(self_))
     return go_on_apart(status);
+  const bool is_engaged = status.phase == JointPhase::kLoading && status.agreed_start;
+  if (is_engaged && my_.phase == JointPhase::kLoaded && at > start_agreed_at_) {
+    my_.phase = JointPhase::kLoading;
+    return retries_.anew(now());
+  }
   if (!gone) return;
   const std::string why = "'" + status.uav + "' left: " + status.why;
   if (my_.phase == JointPhase::kRunning) return lost(status.uav, why);
@@ -90,7 +97,7 @@ void JointTask::go_on_apart(const interaction::JointTaskStatus& status) {
   }
   for (const auto& [uav, role] : status.holders) {
     play_.mapping().share().leave_to(uav);
-    lost(uav, "'" + status.uav + "' goes on without '" + self() + "'");
+    lost(uav, "'" + status.uav + "' goes on without '" + self_ + "'");
   }
 }
 
@@ -102,6 +109,7 @@ void JointTask::load_again(const std::string& why) {
   roles_known_ = false;
   my_.holders.clear();
   agreed_start_.reset();
+  time_.agree(std::nullopt);
   retries_.anew(now());
   announce();
 }
@@ -122,7 +130,7 @@ bool is_the_only_one(const Membership& my, const std::string& uav) {
 // It runs: without one that left, if the role can do without. Of a role that nobody else holds all
 // have to agree anew.
 void JointTask::lost(const std::string& uav, const std::string& why) {
-  if (!my_.holders.contains(uav) || uav == self()) return;
+  if (!my_.holders.contains(uav) || uav == self_) return;
   const bool needed = is_the_only_one(my_, uav) && !play_.has_done_its_part();
   if (!play_.goes_on_without() || needed) return leave(why);
   host_.bus().emit(Notice{my_.joint.subject + ": " + why + "; it goes on without"});

@@ -37,6 +37,12 @@ std::string why_too_late(const Membership& my, const std::string& self, const Pa
   return why;
 }
 
+/// When its negotiation is tried again; absent: not by itself. While this UAV is engaged it asks
+/// for no start.
+std::optional<MissionTime> tries_at(const Membership& my, const Retries& retries, bool waits) {
+  return my.phase == JointPhase::kLoading && !waits ? retries.at() : std::nullopt;
+}
+
 /// Until it has only flights left.
 bool needs_partners(const Membership& my, const JointPlay& play) {
   return my.phase == JointPhase::kRunning && !play.has_only_flights_left();
@@ -49,19 +55,34 @@ JointTask::JointTask(JointHost& host, Interaction& interaction, Joint joint,
     : host_(host),
       interaction_(interaction),
       sightings_(sightings),
+      self_(host.config().uav),
       preferences_(std::move(preferences)),
       asked_(joint),
       my_{std::move(joint)},
-      companions_(host.partners(), my_, host.config().uav),
+      companions_(host.partners(), my_, self_),
       play_({host, interaction, sightings, *this, my_}) {}
 
 MissionTime JointTask::now() const { return host_.bus().now(); }
-const std::string& JointTask::self() const { return host_.config().uav; }
 
 // ---- loading ----
 
-bool JointTask::is_to_begin() const {
-  return my_.phase == JointPhase::kLoading || my_.phase == JointPhase::kLoaded;
+// What has failed is looked at again when the plan is made anew, and may be in it again.
+std::optional<MissionTime> JointTask::not_agreed_until() const {
+  const bool is_agreed = my_.phase == JointPhase::kLoaded || my_.phase == JointPhase::kRunning ||
+                         my_.phase == JointPhase::kEnded;
+  return is_agreed ? std::nullopt : std::optional(time_.waits_until());
+}
+
+// A start that was agreed does not stand while an earlier joint task is not agreed on any more.
+void JointTask::look_at_earlier() {
+  if (!is_to_begin(my_.phase)) return;
+  const bool was_engaged = time_.engaged().has_value();
+  time_.engage(interaction_.engaged_until(my_.joint.task));
+  if (was_engaged && !time_.engaged()) time_.put_off(preferences_, now());
+  const bool is_wrong = time_.engaged() && my_.phase == JointPhase::kLoaded;
+  if (is_wrong) my_.phase = JointPhase::kLoading;
+  if (is_wrong || (was_engaged && !time_.engaged() && retries_.at())) retries_.anew(now());
+  announce();
 }
 
 void JointTask::load(const EarlierAttempts& before) {
@@ -102,15 +123,19 @@ void JointTask::ask_again(executive::TaskId task, std::vector<mission::Interval>
 
 world::VehicleState JointTask::where_it_begins() const {
   const world::VehicleState& seen = sightings_.own()->state;
-  return is_to_begin() ? host_.when_it_begins(my_.joint.task, seen) : seen;
+  return is_to_begin(my_.phase) ? host_.when_it_begins(my_.joint.task, seen) : seen;
 }
 
 Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms& terms) const {
   if (over()) return failure("it is over here: " + my_.why);
-  if (terms.modality == "time-interval") return offer_of_start(preferences_, ahead_);
+  if (terms.modality == "time-interval") {
+    if (is_to_begin(my_.phase) && interaction_.engaged_until(my_.joint.task))
+      return failure("a joint task before this one is not agreed on yet");
+    return offer_of_start(preferences_, ahead_);
+  }
   if (sightings_.own() == nullptr) return failure("it does not know where it is");
   if (terms.modality == kAreaSharing) {
-    if (!my_.holders.contains(self())) return failure("it holds no role");
+    if (!my_.holders.contains(self_)) return failure("it holds no role");
     return play_.mapping().offer();
   }
   const Outlook outlook = play_.outlook();
@@ -151,6 +176,7 @@ void JointTask::start_agreed(const interaction::Rows& result) {
   const bool known = answered_ && agreed_start_ == start;
   start_agreed_at_ = now();
   agreed_start_ = start;
+  time_.agree(start);
   my_.phase = JointPhase::kLoaded;
   my_.why.clear();
   if (!known) answer();
@@ -163,8 +189,7 @@ void JointTask::answer() {
   supervisor::JointTaskAnswered answer{
       my_.joint.task, true, {*agreed_start_ - MissionTime(), Duration::max()}, "", {}};
   if (sightings_.own() != nullptr) {
-    const auto cost =
-        cost_of(my_.joint, my_.holders.at(self()), where_it_begins(), play_.outlook());
+    const auto cost = cost_of(my_.joint, my_.holders.at(self_), where_it_begins(), play_.outlook());
     if (cost) answer.takes = {Duration::seconds(cost->seconds), cost->energy};
   }
   host_.answered(answer);
@@ -177,7 +202,7 @@ void JointTask::not_agreed(const std::string& why) {
                             std::to_string(std::lround(time_.until().to_seconds())) +
                             " s: " + why});
   if (now() + Retries::kOftenest > time_.until())
-    not_loaded(why_too_late(my_, self(), interaction_.partners()));
+    not_loaded(why_too_late(my_, self_, interaction_.partners()));
 }
 
 void JointTask::not_loaded(const std::string& why) {
@@ -200,7 +225,7 @@ void JointTask::begin_if_due() {
   if (!dispatched_ || my_.phase != JointPhase::kLoaded || now() < *agreed_start_) return;
   my_.phase = JointPhase::kRunning;
   host_.run(executive::FunctionalStatus{my_.joint.task, executive::TaskState::kRunning, ""});
-  play_.begin(my_.holders.at(self()));
+  play_.begin(my_.holders.at(self_));
 }
 
 void JointTask::task_changed(const executive::TaskEvent& event) {
@@ -222,19 +247,20 @@ void JointTask::watch() {
 
 // ---- partners ----
 
-// Who cannot begin when it was agreed asks for another start; who knows nothing of roles that were
-// agreed has lost its memory.
+// Who cannot begin when it was agreed asks for another start, and who waits to ask for one answers
+// whoever asks first; who knows nothing of roles that were agreed has lost its memory.
 void JointTask::invited(const interaction::Terms& terms) {
   if (terms.subject == my_.joint.subject + kRoles) {
     const bool anew = roles_known_ && terms.opened > agreed_at_;
-    if (anew && is_to_begin()) load_again("'" + terms.opener + "' asks for roles anew");
+    if (anew && is_to_begin(my_.phase)) load_again("'" + terms.opener + "' asks for roles anew");
     return;
   }
   if (terms.subject == my_.joint.subject + kStart) {
-    const bool loaded = my_.phase == JointPhase::kLoaded;
     const bool anew = roles_known_ && terms.opened > start_agreed_at_;
-    if (!anew || !(loaded || my_.phase == JointPhase::kRunning)) return;
-    if (loaded) my_.phase = JointPhase::kLoading;
+    const bool waits = my_.phase != JointPhase::kLoading || retries_.at();
+    if (!anew || !waits || my_.phase > JointPhase::kRunning) return;
+    if (is_to_begin(my_.phase)) my_.phase = JointPhase::kLoading;
+    retries_.tried();
     return host_.bus().post([this] { interaction_.begin(my_.joint, start_session(my_.joint)); });
   }
   // Who has been lost here calls others than those who go on.
@@ -251,7 +277,8 @@ void JointTask::invited(const interaction::Terms& terms) {
 // ---- time ----
 
 void JointTask::time_passes() {
-  if (retries_.is_due(now()) && my_.phase == JointPhase::kLoading) {
+  const auto at = tries_at(my_, retries_, roles_known_ && time_.engaged());
+  if (at && *at <= now()) {
     retries_.tried();
     if (!roles_known_) do_without_the_absent();
     const Joint& joint = my_.joint;
@@ -260,11 +287,12 @@ void JointTask::time_passes() {
   }
   give_up_on_partners();
   if (my_.phase == JointPhase::kLoading && time_.until() <= now())
-    not_loaded(why_too_late(my_, self(), interaction_.partners()));
+    not_loaded(why_too_late(my_, self_, interaction_.partners()));
   begin_if_due();
   if (needs_partners(my_, play_))
     for (const auto& [uav, why] : companions_.lost(now())) lost(uav, why);
   play_.time_passes();
+  look_at_earlier();
   announce();
 }
 
@@ -272,10 +300,11 @@ std::optional<MissionTime> JointTask::next_wakeup() const {
   if (over()) return std::nullopt;
   std::optional<MissionTime> next = play_.next_wakeup();
   if (my_.phase == JointPhase::kLoading)
-    next = earliest(next, earliest(retries_.at(), time_.until()));
+    next = earliest(
+        next, earliest(tries_at(my_, retries_, roles_known_ && time_.engaged()), time_.until()));
   if (my_.phase == JointPhase::kLoaded && dispatched_) next = earliest(next, agreed_start_);
   if (my_.phase == JointPhase::kLoading)
-    next = earliest(next, companions_.next_given_up(time_.since()));
+    next = earliest(next, companions_.next_given_up(time_.since(now())));
   return needs_partners(my_, play_) ? earliest(next, companions_.next_loss(now())) : next;
 }
 
@@ -323,7 +352,7 @@ void JointTask::finish(interaction::JointPhase phase) {
 
 void JointTask::announce() {
   interaction::JointTaskStatus status;
-  status.uav = self();
+  status.uav = self_;
   status.subject = my_.joint.subject;
   status.task = my_.joint.task.value();
   status.model = my_.joint.model;
@@ -335,10 +364,12 @@ void JointTask::announce() {
   play_.tell_of(status);
   if (needs_partners(my_, play_))
     for (interaction::Row& row : companions_.silent(now())) status.left.push_back(std::move(row));
-  status.agreed_start = agreed_start_;
+  status.agreed_start = time_.engaged() ? time_.engaged() : agreed_start_;
   if (told_ == status) return;
+  const bool moved = !told_ || told_->phase != status.phase;
   told_ = status;
-  host_.bus().emit(JointTaskChanged{std::move(status), asked_.others(self())});
+  if (moved) interaction_.phase_changed();
+  host_.bus().emit(JointTaskChanged{std::move(status), asked_.others(self_)});
 }
 
 }  // namespace skein::decision_node

@@ -20,6 +20,11 @@ namespace skein::decision_node {
 
 class Interaction;
 
+/// Whether a joint task is loading or loaded.
+constexpr bool is_to_begin(interaction::JointPhase phase) {
+  return phase == interaction::JointPhase::kLoading || phase == interaction::JointPhase::kLoaded;
+}
+
 ///   from      on                                                   to
 ///   loading   roles and start are agreed                           loaded
 ///   loading   neither is agreed when it is to start at the latest  not-loaded
@@ -35,6 +40,9 @@ class Interaction;
 ///
 /// A role whose flight gets no air is left, but once all partners have ended it ends where the
 /// vehicle is.
+///
+/// While an earlier joint task of this UAV's plan is not agreed on, it offers no start for this
+/// one, and tells its partners until when it waits at most: they wait as long.
 ///
 /// A failed negotiation is repeated until the latest start (Retries). If other roles are agreed
 /// while the task runs, the new role begins once the running tasks of the old one are over. Source:
@@ -52,10 +60,12 @@ class JointTask {
   /// Since when it is over; absent: it is not.
   std::optional<MissionTime> over_since() const { return over_since_; }
 
-  /// Whether it is loading or loaded.
-  bool is_to_begin() const;
+  /// Until when at most it waits to be agreed on; absent: it is agreed on, or has ended.
+  std::optional<MissionTime> not_agreed_until() const;
+  /// Joint tasks before this one may be agreed on now, or not any more.
+  void look_at_earlier();
   /// Whether the vehicle may move away without breaking a constraint of the role.
-  bool needs_no_place() const { return is_to_begin() || play_.needs_no_place(); }
+  bool needs_no_place() const { return is_to_begin(my_.phase) || play_.needs_no_place(); }
   void load(const EarlierAttempts& before);
   /// What it is to one that is loaded now, after it.
   EarlierAttempts before() const;
@@ -91,7 +101,6 @@ class JointTask {
 
  private:
   MissionTime now() const;
-  const std::string& self() const;
 
   /// This UAV's state at the planned beginning; its present state once the task has begun.
   world::VehicleState where_it_begins() const;
@@ -110,6 +119,7 @@ class JointTask {
   JointHost& host_;
   Interaction& interaction_;
   const Sightings& sightings_;
+  const std::string& self_;
   std::vector<mission::Interval> preferences_;
   const Joint asked_;  ///< with all members that were asked
   Membership my_;

@@ -33,6 +33,11 @@ world::VehicleState OnBoard::when_it_begins(executive::TaskId joint,
                        core_.config().knowledge->vehicle, core_.bus().now());
 }
 
+std::vector<executive::TaskId> OnBoard::joint_tasks_before(executive::TaskId joint) const {
+  if (!core_.deliberation().engaged()) return {};
+  return decision_node::joint_tasks_before(core_.deliberation().report(), joint);
+}
+
 std::function<bool(const world::Vector3&)> OnBoard::free_to_stay() const {
   return core_.merging().free_to_stay();
 }

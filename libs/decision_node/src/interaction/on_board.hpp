@@ -25,6 +25,7 @@ class OnBoard final : public JointHost {
   void answered(const supervisor::JointTaskAnswered& answer) override;
   world::VehicleState when_it_begins(executive::TaskId joint,
                                      const world::VehicleState& seen) const override;
+  std::vector<executive::TaskId> joint_tasks_before(executive::TaskId joint) const override;
   std::function<bool(const world::Vector3&)> free_to_stay() const override;
   std::string why_not(const Joint&, const std::string&) const override { return ""; }
 

@@ -69,4 +69,12 @@ world::VehicleState planned_state(const world::VehicleState& seen, const mission
   return then;
 }
 
+std::vector<executive::TaskId> joint_tasks_before(const mission::PlanReport& plan,
+                                                  executive::TaskId task) {
+  std::vector<executive::TaskId> all;
+  for (const PlannedTask* one : before(plan, task))
+    if (executive::is_joint(one->task.type)) all.push_back(one->task.id);
+  return all;
+}
+
 }  // namespace skein::decision_node

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vehicle's planned state at the beginning of a task.
+// What comes before a task of a plan, and the vehicle's planned state at its beginning.
 #pragma once
+
+#include <vector>
 
 #include "skein/mission/elementary_plan.hpp"
 #include "skein/world/vehicle_model.hpp"
@@ -15,5 +17,10 @@ namespace skein::decision_node {
 world::VehicleState planned_state(const world::VehicleState& seen, const mission::PlanReport& plan,
                                   executive::TaskId task, const world::VehicleModel& vehicle,
                                   MissionTime now);
+
+/// The joint tasks for which `task` waits in the plan, also past others; none if the plan does not
+/// have the task.
+std::vector<executive::TaskId> joint_tasks_before(const mission::PlanReport& plan,
+                                                  executive::TaskId task);
 
 }  // namespace skein::decision_node

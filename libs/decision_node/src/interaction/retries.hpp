@@ -40,7 +40,6 @@ class Retries {
 
   /// When to negotiate again; absent: it is under negotiation, or agreed.
   std::optional<MissionTime> at() const { return at_; }
-  bool is_due(MissionTime now) const { return at_ && *at_ <= now; }
   void tried() { at_.reset(); }
 
  private:

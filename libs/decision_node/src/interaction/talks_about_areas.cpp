@@ -40,7 +40,7 @@ void RoleTalks::share_area(const std::string& action) {
     return course_.tell_status(action, Word::kEnded);
   }
   sharing_.ask(action, now());  // it may fail at once
-  if (!sharing_.lasts(now())) {
+  if (!sharing_.lasts(now()) && task_.companions().all_have_begun()) {
     const std::string why = sharing_.why();
     sharing_.stop();
     return task_.leave("the area could not be shared: " + why);

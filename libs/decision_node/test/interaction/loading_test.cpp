@@ -22,6 +22,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 /// Stands in for "marvin"; heliv answers each session, and can play no role.
 class NotAgreedOn : public ::testing::Test {
@@ -62,12 +63,21 @@ class NotAgreedOn : public ::testing::Test {
   }
 
   /// What heliv says of the joint task.
-  void tell(JointPhase phase, const std::string& why) {
+  void tell(JointPhase phase, const std::string& why) { tell({phase, why, std::nullopt}); }
+  void tell_engaged(MissionTime until) { tell({JointPhase::kLoading, "", until}); }
+
+  struct Said {
+    JointPhase phase;
+    std::string why;
+    std::optional<MissionTime> start;
+  };
+  void tell(const Said& said) {
     JointTaskTold told;
     told.status.uav = "heliv";
     told.status.subject = testing::joint().subject;
-    told.status.phase = phase;
-    told.status.why = why;
+    told.status.phase = said.phase;
+    told.status.why = said.why;
+    told.status.agreed_start = said.start;
     told.at = now_;
     give(told);
   }
@@ -125,6 +135,25 @@ TEST_F(NotAgreedOn, APartnerThatComesBackToItIsWaitedFor) {
   tell(JointPhase::kLoading, "");
   run(100);
   EXPECT_THAT(over_, IsEmpty());
+}
+
+// Found by an outsider (157): it did the joint task alone.
+TEST_F(NotAgreedOn, WhoIsEngagedByAnEarlierOneIsWaitedForAsLongAsThat) {
+  tell_engaged(MissionTime::seconds(900));
+  run(900);
+  EXPECT_THAT(over_, IsEmpty());
+  run(60);
+  EXPECT_THAT(over_, SizeIs(1)) << "a minute later";
+}
+
+TEST_F(NotAgreedOn, WhoIsEngagedNoMoreIsWaitedForAMinute) {
+  tell_engaged(MissionTime::seconds(900));
+  run(700);
+  tell(JointPhase::kLoading, "");
+  run(50);
+  EXPECT_THAT(over_, IsEmpty());
+  run(20);
+  EXPECT_THAT(over_, SizeIs(1));
 }
 
 /// Heliv is not heard at all, and answers nothing.

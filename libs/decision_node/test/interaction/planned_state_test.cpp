@@ -76,6 +76,16 @@ TEST_F(WhenTheJointTaskBegins, WhatIsInThePlanForOtherGoalsIsNotBeforeIt) {
   EXPECT_EQ(then(0).position, Vector3(500, 0, 40));
 }
 
+TEST_F(WhenTheJointTaskBegins, JointTasksBeforeItAreThoseForWhichItWaits) {
+  plan_.tasks.push_back(planned(5, "joint:watching", 400, 500));
+  PlannedTask other = planned(9, "joint:watching", 100, 200);
+  other.task.dependences = {};
+  plan_.tasks.push_back(other);
+  EXPECT_EQ(joint_tasks_before(plan_, TaskId(5)), std::vector<TaskId>{TaskId(3)});
+  EXPECT_TRUE(joint_tasks_before(plan_, TaskId(3)).empty());
+  EXPECT_TRUE(joint_tasks_before(plan_, TaskId(77)).empty()) << "the plan does not know it";
+}
+
 TEST_F(WhenTheJointTaskBegins, ATaskThatThePlanDoesNotKnowBeginsFromHere) {
   seen_.position = Vector3(7, 8, 9);
   EXPECT_EQ(then(0, 33).position, seen_.position);

@@ -2,6 +2,7 @@
 // A decision node as far as joint tasks need one.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,8 +32,12 @@ class LoneJointHost final : public JointHost {
                                      const world::VehicleState& seen) const override {
     return seen;
   }
+  std::vector<executive::TaskId> joint_tasks_before(executive::TaskId joint) const override {
+    return {plan.begin(), std::find(plan.begin(), plan.end(), joint)};
+  }
   std::string why_not(const Joint&, const std::string&) const override { return ""; }
 
+  std::vector<executive::TaskId> plan;   ///< its joint tasks, in order
   std::vector<std::string> not_loaded;   ///< why
   std::vector<executive::Input> inputs;  ///< to its executive
 

@@ -2,6 +2,7 @@
 // "heliv", who answers in sessions that others open.
 #pragma once
 
+#include <functional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -10,10 +11,15 @@
 
 namespace skein::decision_node::testing {
 
-/// Takes part in each session to which it is invited, with the same offer.
+/// Takes part in each session to which it is invited.
 class NegotiatingPartner {
  public:
-  explicit NegotiatingPartner(Result<interaction::Rows, Failure> offer)
+  using Offer = Result<interaction::Rows, Failure>;
+
+  /// With the same offer in each.
+  explicit NegotiatingPartner(Offer offer)
+      : offer_([offer = std::move(offer)](const interaction::Terms&) { return offer; }) {}
+  explicit NegotiatingPartner(std::function<Offer(const interaction::Terms&)> offer)
       : offer_(std::move(offer)) {}
 
   std::vector<interaction::SessionMessage> answers(const interaction::NegotiationInput& input,
@@ -30,7 +36,7 @@ class NegotiatingPartner {
                                                      terms.model, terms.parameters},
                        now);
       } else if (const auto* asked = std::get_if<interaction::PrepareOffer>(&effect)) {
-        more = answers(interaction::OfferPrepared{asked->terms.id(), offer_}, now);
+        more = answers(interaction::OfferPrepared{asked->terms.id(), offer_(asked->terms)}, now);
       }
       sent.insert(sent.end(), more.begin(), more.end());
     }
@@ -38,7 +44,7 @@ class NegotiatingPartner {
   }
 
  private:
-  Result<interaction::Rows, Failure> offer_;
+  std::function<Offer(const interaction::Terms&)> offer_;
   interaction::NegotiationManager manager_{
       "heliv", 1, interaction::standard_modalities(), {}, MissionTime()};
 };

@@ -89,13 +89,14 @@ inline std::shared_ptr<const interaction::Library> watching_library() {
 }
 
 /// As the supervisor asks for it.
-inline mission::ElementaryTask watching(const std::string& uavs = "marvin heliv") {
+inline mission::ElementaryTask watching(const std::string& uavs = "marvin heliv",
+                                        double duration = 60) {
   mission::ElementaryTask task;
   task.id = executive::TaskId(7);
   task.type = "joint:watching";
   task.parameters.add("front", std::string("fire"));
   task.parameters.add("ground", {0, 0, 5});
-  task.parameters.add("duration", 60);
+  task.parameters.add("duration", duration);
   task.parameters.add("uavs", uavs);
   return task;
 }

@@ -14,6 +14,11 @@ constexpr Duration kLate = Duration::milliseconds(15'000);  // less is waited fo
 
 }  // namespace
 
+bool JointTasks::Joint::is_overtaken_by(MissionTime earliest) const {
+  const bool failed = answered && !loaded;
+  return !failed && !due && earliest > (loaded ? agreed : asked) + kLate;
+}
+
 bool JointTasks::is_wanted(const Entry& entry) const {
   return executive::is_joint(entry.task.type) && book_.counts(entry) && !entry.by_others &&
          !entry.seen.started;
@@ -25,12 +30,8 @@ void JointTasks::renew() {
   for (auto& [id, entry] : book_.tasks) {
     if (!is_wanted(entry) || is_never(entry.dates.earliest_start)) continue;
     const auto known = joints_.find(id);
-    if (known == joints_.end()) {
+    if (known == joints_.end() || known->second.is_overtaken_by(entry.dates.earliest_start))
       load(entry);
-    } else if (known->second.loaded && !known->second.due &&
-               entry.dates.earliest_start > known->second.agreed + kLate) {
-      load(entry);
-    }
   }
   std::erase_if(joints_, [this](const auto& one) {
     const Entry* entry = book_.find(one.first);
@@ -48,7 +49,7 @@ void JointTasks::begin_anew() {
 }
 
 void JointTasks::load(const Entry& entry) {
-  joints_[entry.task.id] = {};
+  joints_[entry.task.id] = Joint{.asked = entry.dates.earliest_start};
   LoadJointTask request;
   request.task = entry.task;
   const MissionTime first = entry.dates.earliest_start;

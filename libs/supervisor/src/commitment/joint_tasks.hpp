@@ -16,7 +16,7 @@ class JointTasks {
   JointTasks(Outbox& out, Book& book) : out_(out), book_(book) {}
 
   /// Asks to load joint tasks that are new in the plan, and again those that can no longer begin at
-  /// the agreed time; gives up those that left the plan.
+  /// the agreed time, or that which was asked for; gives up those that left the plan.
   void renew();
   /// Forgets all requests and answers, except of joint tasks that are due already.
   void begin_anew();
@@ -31,8 +31,11 @@ class JointTasks {
  private:
   struct Joint {
     bool answered = false, loaded = false, due = false;
-    std::string why;
-    MissionTime agreed;  ///< start, once loaded
+    std::string why = {};
+    MissionTime agreed = {};  ///< start, once loaded
+    MissionTime asked = {};   ///< the earliest start that was asked for
+    /// Whether the plan lets it begin no more when it was agreed, or asked for.
+    bool is_overtaken_by(MissionTime earliest) const;
   };
   bool is_wanted(const Entry& entry) const;
   MissionTime now() const { return out_.now(); }

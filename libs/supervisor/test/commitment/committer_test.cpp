@@ -183,6 +183,20 @@ TEST(JointTasks, AreNegotiatedAgainWhenTheyCannotBeginAnyMoreWhenItWasAgreed) {
   EXPECT_THAT(rooms.asked(), ElementsAre("100 from 260"));
 }
 
+// An earlier joint task was agreed on meanwhile, and lasts longer than had been thought.
+TEST(JointTasks, AreAskedForAgainWhenTheyCannotBeginAnyMoreWhenItWasAskedFor) {
+  PlannedJoint rooms;
+  rooms.asked();
+  rooms.at(2).entry(100).task.time.start_after = at(210);
+  rooms.dates.update(at(2));
+  EXPECT_THAT(rooms.asked(), IsEmpty());
+
+  rooms.at(3).entry(100).task.time.start_after = at(260);
+  rooms.dates.update(at(3));
+  EXPECT_THAT(rooms.asked(), ElementsAre("100 from 260"));
+  EXPECT_THAT(rooms.asked(), IsEmpty());
+}
+
 TEST(JointTasks, ThatLeaveThePlanAreNotWantedAnyMore) {
   PlannedJoint rooms;
   rooms.asked();

@@ -40,6 +40,7 @@ struct JointTaskStatus {
   std::map<std::string, std::string> holders;  ///< role by UAV, as agreed last
   std::vector<std::string> active_blocks;      ///< of its role, in document order
   std::vector<std::string> violated;           ///< SCMs
+  /// Of kLoading: until when at most it waits for an earlier joint task, or was to begin.
   std::optional<MissionTime> agreed_start;
   /// Once the UAV has an agreed share of an area: a row `round`, how often the area was shared, and
   /// a row `left` with the corners of each convex piece that it has still to map.
