@@ -78,15 +78,11 @@ std::uint64_t newest_for_sale(const Ledger& ledger) {
   return newest;
 }
 
-bool may_be_called_again(const LedgerEntry& entry, MissionTime now) {
-  return entry.stage == Stage::kUnsold && now.to_seconds() < entry.task.deadline;
-}
-
-bool worth_selling(const Ledger& ledger, bool joined, bool again, MissionTime now) {
+bool worth_selling(const Ledger& ledger, bool joined, bool again) {
   return std::any_of(ledger.entries.begin(), ledger.entries.end(), [&](const auto& each) {
     const Stage stage = each.second.stage;
     return stage == Stage::kForSale || (joined && stage == Stage::kOwned) ||
-           ((joined || again) && may_be_called_again(each.second, now));
+           (stage == Stage::kUnsold && (joined || again));
   });
 }
 

@@ -28,11 +28,8 @@ Holding holding(const Ledger& ledger, const std::set<MemberNumber>& here, Member
 std::uint64_t newest_for_sale(const Ledger& ledger);
 
 /// Whether a sale may change anything: a task is for sale; or a member has `joined` and a task is
-/// owned without a grant; or a task is to be called again and a member has `joined` or `again` is
-/// set (a retry is due).
-bool worth_selling(const Ledger& ledger, bool joined, bool again, MissionTime now);
-
-/// Whether the task is unsold, and somebody could still do it: its deadline has not passed.
-bool may_be_called_again(const LedgerEntry& entry, MissionTime now);
+/// owned without a grant; or a task is unsold and a member has `joined` or `again` is set (a retry
+/// is due).
+bool worth_selling(const Ledger& ledger, bool joined, bool again);
 
 }  // namespace skein::auction

@@ -67,7 +67,7 @@ bool TeamMember::Core::is_to_sell(const std::set<MemberNumber>& here) const {
   if (now_ < held_since_ + setup_.limits.beat && any_unheard()) return false;
   const auto is_new = [this](MemberNumber member) { return !took_part_.contains(member); };
   const bool joined = now_ >= rest_until_ && std::any_of(here.begin(), here.end(), is_new);
-  if (here.empty() || !worth_selling(ledger(), joined, now_ >= retry_at_, now_)) return false;
+  if (here.empty() || !worth_selling(ledger(), joined, now_ >= retry_at_)) return false;
   const std::uint64_t newest = newest_for_sale(ledger());
   return std::all_of(here.begin(), here.end(), [&](MemberNumber member) {
     return member == setup_.self || followers_.has(member, newest);
@@ -137,7 +137,7 @@ void TeamMember::Core::sell() {
   if (!is_to_sell(here)) return;
   std::vector<TaskNumber> again;
   for (const auto& [task, entry] : ledger().entries) {
-    if (may_be_called_again(entry, now_)) again.push_back(task);
+    if (entry.stage == Stage::kUnsold) again.push_back(task);
   }
   for (const TaskNumber task : again) put_up(change(task), "called again");
   // Of this term, so that what an older holder sold without a majority is another sale.

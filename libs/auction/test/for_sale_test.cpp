@@ -132,34 +132,26 @@ TEST(AllBeforeDone, LooksAtEveryPrecedenceOfTheTaskAndIgnoresWhatTheLedgerLacks)
 }
 
 TEST(WorthSelling, IsAlwaysWhatHasNoOwner) {
-  EXPECT_TRUE(worth_selling(a_ledger().has(a_task(1), Stage::kForSale), false, false, {}));
-  EXPECT_FALSE(worth_selling(a_ledger(), true, true, {}));
+  EXPECT_TRUE(worth_selling(a_ledger().has(a_task(1), Stage::kForSale), false, false));
+  EXPECT_FALSE(worth_selling(a_ledger(), true, true));
 }
 
 TEST(WorthSelling, IsWhatIsOwnedIfSomebodyJoinedAndWhatIsUnsoldAlsoAfterAWhile) {
   const Ledger owned = a_ledger().has(a_task(1), Stage::kOwned, {1});
   const Ledger unsold = a_ledger().has(a_task(1), Stage::kUnsold);
 
-  EXPECT_FALSE(worth_selling(owned, false, true, {}));
-  EXPECT_TRUE(worth_selling(owned, true, false, {}));
-  EXPECT_FALSE(worth_selling(unsold, false, false, {}));
-  EXPECT_TRUE(worth_selling(unsold, true, false, {}));
-  EXPECT_TRUE(worth_selling(unsold, false, true, {}));
-}
-
-// Found by an outsider's missions (8): it was called once a minute to the end of the mission.
-TEST(WorthSelling, IsNotWhatNobodyCouldDoInTimeAnyMore) {
-  const Ledger unsold = a_ledger().has(a_task(1).by(60), Stage::kUnsold);
-
-  EXPECT_TRUE(worth_selling(unsold, true, true, MissionTime::seconds(59)));
-  EXPECT_FALSE(worth_selling(unsold, true, true, MissionTime::seconds(60)));
+  EXPECT_FALSE(worth_selling(owned, false, true));
+  EXPECT_TRUE(worth_selling(owned, true, false));
+  EXPECT_FALSE(worth_selling(unsold, false, false));
+  EXPECT_TRUE(worth_selling(unsold, true, false));
+  EXPECT_TRUE(worth_selling(unsold, false, true));
 }
 
 TEST(WorthSelling, IsNotWhatIsBegunOrDone) {
   const Ledger ledger =
       a_ledger().has(a_task(1), Stage::kGranted, {1}).has(a_task(2), Stage::kDone, {1});
 
-  EXPECT_FALSE(worth_selling(ledger, true, true, {}));
+  EXPECT_FALSE(worth_selling(ledger, true, true));
 }
 
 TEST(NewestForSale, IsTheRevisionOfTheLastThatCameThere) {
