@@ -55,7 +55,7 @@ void team(std::ostream& out, const Mission& m, const std::string& scenarios) {
   if (m.partner_lease > 0) out << "  partner_lease: " << std::lround(m.partner_lease) << "\n";
   if (m.planning_takes > 0) out << "  takes: [0.05, " << m.planning_takes << "]\n";
   if (m.joint) {
-    out << "\ninteraction: " << scenarios << "/models/interaction/monitoring-with-relay.yaml\n";
+    out << "\ninteraction: " << scenarios << "/models/interaction/" << m.interaction << ".yaml\n";
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include <set>
 #include "test_cases.hpp"
 #include "testing/drawn_mission.hpp"
 
@@ -206,14 +207,15 @@ TEST_P(Generators, PutEverythingOnTheTerrain) {
 TEST_P(Generators, LeaveOutWhatIsNotAskedFor) {
   Kinds nothing = kClean;
   nothing.merged = nothing.questions = nothing.joint = false;
+  const bool is_about_joint_tasks = std::string(GetParam().name) == "Sharing";
   for_all(
-      [](const DrawnMission& drawn) {
+      [&](const DrawnMission& drawn) {
         EXPECT_FALSE(drawn.yaml["faults"]) << YAML::Dump(drawn.yaml["faults"]);
         // Who hears whom past relays alone is cut for good, before anybody flies.
         for (const auto& cut : drawn.yaml["radio"]["cuts"])
           EXPECT_EQ(cut["from"].as<double>(), 0) << YAML::Dump(cut);
         EXPECT_FALSE(drawn.yaml["world"]["volumes"]);
-        EXPECT_FALSE(drawn.mission.joint);
+        EXPECT_EQ(drawn.mission.joint, is_about_joint_tasks) << "other kinds have them if asked";
         const std::string text = to_yaml(drawn.mission, "..");
         for (const char* word : {"kill", "evaluate: true", "close_air", "energy: 0", "degree: {"})
           EXPECT_THAT(text, Not(HasSubstr(word)));
@@ -236,7 +238,8 @@ TEST_P(Generators, DrawDeathsOfTheirOwnDaemonsOnly) {
           EXPECT_THAT(daemons, Contains(fault["kill"].as<std::string>()));
           EXPECT_GE(fault["at"].as<double>(), 3.0);
           // Partners may stay away for longer than anybody waits, or for good.
-          const bool partners = std::string(GetParam().name) == "Partners";
+          const bool partners =
+              std::set<std::string>{"Partners", "Sharing"}.contains(GetParam().name);
           const auto away = fault["restart_after"];
           EXPECT_TRUE(away || partners);
           if (away) {

@@ -36,9 +36,9 @@ struct Options {
   std::string save, consistency;
   bool clean = false, deaths = false, team = false, crossing = false, merged = false,
        unmerged = false, sweeps = false, meetings = false, orders = false, gatherings = false,
-       robots = false, relays = false, partners = false, fires = false, hands = false,
-       mixed = false, anything = false, minds = false, busy = false, sweepers = false, json = false,
-       minimise = false, rough = false, verbose = false;
+       robots = false, relays = false, partners = false, sharing = false, fires = false,
+       hands = false, mixed = false, anything = false, minds = false, busy = false,
+       sweepers = false, json = false, minimise = false, rough = false, verbose = false;
   std::size_t examples = 3;
   std::int64_t capacity = 0;
   double planning_takes = 0;
@@ -72,6 +72,7 @@ Kinds kinds_of(const Options& options) {
 Mission drawn_as_kind(std::uint64_t seed, const Options& options) {
   if (options.meetings) return generate_meetings(seed, kinds_of(options));
   if (options.partners) return generate_partners(seed, kinds_of(options));
+  if (options.sharing) return generate_sharing(seed, kinds_of(options));
   if (options.relays) return generate_relays(seed, kinds_of(options));
   if (options.fires) return generate_fires(seed, kinds_of(options));
   if (options.hands) return generate_orders(seed, kinds_of(options));
@@ -220,6 +221,8 @@ void declare_kinds(CLI::App& app, Options& options) {
       app.add_flag("--relays", options.relays, "some of the UAVs are heard past relays alone");
   auto* apart = app.add_flag("--partners", options.partners,
                              "partners of joint tasks and synchronisations die or are cut off");
+  auto* sharing = app.add_flag("--sharing", options.sharing,
+                               "UAVs map areas together, of which somebody leaves or comes late");
   auto* fires =
       app.add_flag("--fires", options.fires, "fires spread, and their fronts are followed");
   auto* hands = app.add_flag("--hands", options.hands,
@@ -240,8 +243,8 @@ void declare_kinds(CLI::App& app, Options& options) {
                "with --anything: an operator flies UAVs by hand in the middle of their tasks, "
                "stops them to think, aborts all, closes and opens air")
       ->needs(anything);
-  const std::vector<CLI::Option*> all{team,  crossing, sweepers, meetings, robots,  relays,
-                                      apart, fires,    hands,    mixed,    anything};
+  const std::vector<CLI::Option*> all{team,  crossing, sweepers, meetings, robots, relays,
+                                      apart, sharing,  fires,    hands,    mixed,  anything};
   for (auto* one : all)
     for (auto* other : all)
       if (one != other) one->excludes(other);

@@ -87,6 +87,22 @@ TEST(Generate, PartnersThatStayAwayAreScenariosInWhichOneDiesIsCutOffOrIsDeclare
     EXPECT_THAT(all, HasSubstr(part));
 }
 
+TEST(Generate, SharedMappingsAreScenariosInWhichWhoTakesPartIsCutOffDiesOrIsTakenInHand) {
+  Kinds kinds;
+  kinds.deaths = true;
+  std::string all;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const std::string text = to_yaml(generate_sharing(seed, kinds), "..");
+    EXPECT_EQ(to_yaml(generate_sharing(seed, kinds), ".."), text);
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    all += text;
+  }
+  for (const char* part : {"cooperative-mapping, OstWiese, C1", "cooperative-mapping, Z1b, C2",
+                           "restart_after", "kill: uav", "take_in_hand: {uav: uav", "between: [uav",
+                           "capacity: 9600", "separation: {merge: true}"})
+    EXPECT_THAT(all, HasSubstr(part));
+}
+
 TEST(Generate, SweepsOfCrossingMissionsChangeNothingElse) {
   Kinds kinds;
   kinds.sweeps = true;

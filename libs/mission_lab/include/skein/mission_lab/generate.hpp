@@ -63,6 +63,10 @@ Mission generate_relays(std::uint64_t seed, const Kinds& kinds);
 /// off, or, with deaths, dies for good (and may be declared lost) or for a while, or is not given
 /// the synchronisation; of the kinds, radio, deaths and changes count.
 Mission generate_partners(std::uint64_t seed, const Kinds& kinds);
+/// Likewise two to four UAVs at degree 4 that map one or two areas together, of whom one may be cut
+/// off, die, be taken in hand, not take part, or have them in another order; of the kinds, radio,
+/// deaths, degrees, changes, air, faults, energy and merged count.
+Mission generate_sharing(std::uint64_t seed, const Kinds& kinds);
 /// Likewise one to four UAVs at degree 4 over fires that spread in the wind: they look at the
 /// fronts, which the ground station follows, map and search the ground around, and two of them may
 /// watch a front jointly. Of the kinds, joint, alarms, radio, faults and deaths count.

@@ -69,6 +69,7 @@ struct Mission {
   int shared_pads = 0;                ///< UAVs that start a few metres beside another
   bool joint = false;                 ///< there are interaction models
   double finish_after = 30;  ///< [s] after the last goal is settled; negative: at the limit
+  std::string interaction = "monitoring-with-relay";  ///< the model, where there is one
 };
 
 /// The scenario's text. `scenarios`: the path from where it will stand to the folder scenarios/.
