@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <map>
-
 #include <set>
+
 #include "test_cases.hpp"
 #include "testing/drawn_mission.hpp"
 
