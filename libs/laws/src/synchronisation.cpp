@@ -263,10 +263,6 @@ double later_by(const History& history, const std::string& hearer, const SyncHea
   return most;
 }
 
-}  // namespace
-
-namespace {
-
 /// That `heard.from` comes to the meeting, last of all, and not before `until`.
 bool foretells_later(const Foretold& one, const SyncHeard& heard, double until) {
   return one.known && one.last == heard.from && one.soonest > until;

@@ -21,10 +21,10 @@ bool leads_out(const Volume& piece, const Volume& one) {
 
 bool keeps_from(const Volumes& held, const Volumes& wanted, const Volumes& own) {
   const auto leaves = [&](const Volume& one, const Volume& piece) {
-    return leads_out(piece, one) && std::any_of(own.begin(), own.end(), [&](const Volume& place) {
-             return overlap(one, place) && place.floor <= piece.floor &&
-                    piece.ceiling <= place.ceiling;
-           });
+    const bool is_there = std::any_of(own.begin(), own.end(), [&](const Volume& place) {
+      return overlap(one, place) && place.floor <= piece.floor && piece.ceiling <= place.ceiling;
+    });
+    return is_there && leads_out(piece, one);
   };
   return std::any_of(held.begin(), held.end(), [&](const Volume& one) {
     return std::any_of(wanted.begin(), wanted.end(), [&](const Volume& piece) {

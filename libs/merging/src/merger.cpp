@@ -72,7 +72,8 @@ void Merger::hear_witness(const Message& message) {
     return;
   }
   if (request_ == 0 || message.answered != request_) return;
-  third_->answered = true;
+  third_->answered =
+      message.granted || !message.claim.waits_for.empty();  // else it promised nothing
   third_->refusers = message.claim.waits_for;
   // Who is in reach knows better what it has.
   const auto& refusers = third_->refusers;

@@ -110,13 +110,7 @@ class PartnerDrawing {
 
   void cut_off(const std::string& who, double from) {
     const double until = from + random_.uniform(20, 900);
-    const auto cut = [&](const std::string& other) {
-      mission_.cuts.push_back("{between: [" + who + ", " + other + "], from: " + whole(from) +
-                              ", until: " + whole(until) + "}");
-    };
-    for (const Member& one : mission_.team)
-      if (one.name != who) cut(one.name);
-    if (random_.chance(0.5)) cut("ground");
+    add_cut_off(mission_, who, from, until, random_.chance(0.5));
   }
 
   void declare_lost(const std::string& who, double at) {

@@ -224,6 +224,17 @@ std::string draw_fault(Random& random, const Member& uav, double latest) {
   return draw_fault(random, uav.name, device, latest);
 }
 
+void add_cut_off(Mission& mission, const std::string& who, double from, double until,
+                 bool from_ground) {
+  const auto cut = [&](const std::string& other) {
+    mission.cuts.push_back("{between: [" + who + ", " + other + "], from: " + whole(from) +
+                           ", until: " + whole(until) + "}");
+  };
+  for (const Member& one : mission.team)
+    if (one.name != who) cut(one.name);
+  if (from_ground) cut("ground");
+}
+
 std::string draw_cut(Random& random, const std::string& one, const std::string& other,
                      double latest) {
   const double from = random.uniform(10, latest);

@@ -97,6 +97,9 @@ std::string draw_fault(Random& random, const Member& uav, double latest);
 /// The radio between two nodes is cut, from [10, latest] s on.
 std::string draw_cut(Random& random, const std::string& one, const std::string& other,
                      double latest);
+/// Cuts off a member of the team from all others for that time [s], and from the ground or not.
+void add_cut_off(Mission& mission, const std::string& who, double from, double until,
+                 bool from_ground);
 /// Fewer than `limit` cuts between any two of a team, or one of them and the ground.
 std::vector<std::string> draw_cuts(Random& random, const std::vector<Member>& team,
                                    std::size_t limit, double latest);

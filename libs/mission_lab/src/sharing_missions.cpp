@@ -141,13 +141,7 @@ class SharingDrawing {
 
   void cut_off(const std::string& who) {
     const double from = random_.uniform(20, kLatest), until = from + random_.uniform(20, 400);
-    const auto cut = [&](const std::string& other) {
-      mission_.cuts.push_back("{between: [" + who + ", " + other + "], from: " + whole(from) +
-                              ", until: " + whole(until) + "}");
-    };
-    for (const Member& one : mission_.team)
-      if (one.name != who) cut(one.name);
-    if (random_.chance(0.5)) cut("ground");
+    add_cut_off(mission_, who, from, until, random_.chance(0.5));
   }
 
   // For a moment, or for minutes.
