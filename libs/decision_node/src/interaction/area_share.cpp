@@ -158,14 +158,18 @@ double AreaShare::area_left() const {
 
 void AreaShare::agree(const Rows& result) {
   ++round_;
+  std::vector<Polygon> shared;
   for (const Row& row : result) {
     if (row.numbers.empty()) continue;
+    shared.push_back(polygon_of(row));
     if (row.name == self_)
-      add(polygon_of(row));
+      add(shared.back());
     else
-      others_[row.name].push_back(polygon_of(row));
+      others_[row.name].push_back(shared.back());
   }
-  lost_.clear();
+  for (auto& [uav, areas] : lost_)
+    std::erase_if(areas, [&](const Polygon& one) { return is_covered(one, shared); });
+  std::erase_if(lost_, [](const auto& one) { return one.second.empty(); });
 }
 
 void AreaShare::add(Polygon area) {
@@ -186,7 +190,9 @@ void AreaShare::take(const std::vector<Polygon>& areas) {
 
 void AreaShare::lose(const std::string& uav) {
   auto theirs = others_.extract(uav);
-  if (!theirs.empty()) lost_[uav] = std::move(theirs.mapped());
+  if (theirs.empty()) return;
+  std::vector<Polygon>& lost = lost_[uav];
+  lost.insert(lost.end(), theirs.mapped().begin(), theirs.mapped().end());
 }
 
 void AreaShare::leave_to(const std::string& uav) {

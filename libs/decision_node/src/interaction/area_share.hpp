@@ -31,7 +31,8 @@ class AreaShare {
 
   /// Whether the area was divided at least once.
   bool agreed() const { return round_ > 0; }
-  /// A result of area-sharing: adds each part to the remainder of its member.
+  /// A result of area-sharing: adds each part to the remainder of its member. What had no owner has
+  /// one then, as far as it was shared: somebody may have been lost since the session was opened.
   void agree(const interaction::Rows& result);
   /// Adds all of `areas` to this member's own part.
   void take(const std::vector<world::Polygon>& areas);

@@ -18,7 +18,6 @@ using interaction::ComponelState;
 using interaction::JointPhase;
 using Word = interaction::Status::Word;
 
-constexpr const char* kMemberLost = "member lost";
 constexpr Duration kNothing = Duration::milliseconds(500);  // of a perception: it is done
 
 bool holds_vehicle(const std::string& type) {

@@ -17,6 +17,9 @@ namespace skein::decision_node {
 class Interaction;
 class JointTask;
 
+/// The message to a role that a member left, or is lost.
+inline constexpr const char* kMemberLost = "member lost";
+
 /// The holders of the roles of a joint task, and this UAV's phase in it.
 struct Membership {
   Joint joint;

@@ -58,6 +58,8 @@ class RoleTalks {
                     const interaction::NegotiationOutcome& outcome);
   void share_area(const std::string& action);
   void area_shared(const interaction::Terms& terms, const interaction::NegotiationOutcome& outcome);
+  /// Their parts have no owner.
+  void lose_who_has_left(const interaction::Rows& parts);
   void negotiate_places(const std::string& action);
   void take_place_alone(const interaction::BeginNegotiation& begin);
   void places_agreed(const interaction::Terms& terms,

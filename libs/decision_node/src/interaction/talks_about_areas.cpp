@@ -58,15 +58,29 @@ void RoleTalks::share_area(const std::string& action) {
 void RoleTalks::area_shared(const interaction::Terms& terms,
                             const interaction::NegotiationOutcome& outcome) {
   const std::optional<std::string> action = action_about(terms.subject);
-  if (outcome.kind == Kind::kAgreed) share_.agree(outcome.result);
-  if (!action) return;
   if (outcome.kind == Kind::kAgreed) {
-    actions_.erase(*action);
-    sharing_.stop();
-    return course_.tell_status(*action, Word::kEnded);
+    share_.agree(outcome.result);
+    if (action) {
+      actions_.erase(*action);
+      sharing_.stop();
+      course_.tell_status(*action, Word::kEnded);
+    }
+    return lose_who_has_left(outcome.result);
   }
+  if (!action) return;
   note("the area is not shared yet: " + outcome.why);
   sharing_.not_agreed(outcome.why, now());
+}
+
+// Word that somebody left may be here before the word that all agreed.
+void RoleTalks::lose_who_has_left(const interaction::Rows& parts) {
+  bool lost = false;
+  for (const interaction::Row& part : parts) {
+    if (part.name == self_ || my_.holders.contains(part.name)) continue;
+    share_.lose(part.name);
+    lost = true;
+  }
+  if (lost) course_.tell(interaction::Message{kMemberLost});
 }
 
 }  // namespace skein::decision_node

@@ -222,6 +222,30 @@ TEST(AreaShare, WhatIsSharedAgainComesToWhatIsLeft) {
   EXPECT_NEAR(share.area_left(), 80000, 1e-6);
 }
 
+// Its session was opened before swift was lost.
+TEST(AreaShare, WhatWasNotSharedAgainStaysNobodys) {
+  AreaShare share("heron");
+  share.agree({interaction::row_of("wren", kWest), interaction::row_of("swift", kEast)});
+  share.lose("wren");
+  share.lose("swift");
+
+  share.agree({interaction::row_of("heron", kWest)});
+
+  ASSERT_THAT(share.nobodys(), SizeIs(1));
+  EXPECT_NEAR(world::area(between(share.nobodys().front(), {1, 0}, 200, 400)), 40000, 1e-6);
+}
+
+TEST(AreaShare, WhoIsLostTwiceLeavesBothOfItsParts) {
+  AreaShare share("heron");
+  share.agree({interaction::row_of("wren", kWest)});
+  share.lose("wren");
+  share.agree({interaction::row_of("wren", kEast)});
+
+  share.lose("wren");
+
+  EXPECT_THAT(share.nobodys(), SizeIs(2));
+}
+
 TEST(AreaShare, TheLastWhoIsThereTakesAll) {
   AreaShare share("heron");
   share.agree(agreed(kWest, kEast));

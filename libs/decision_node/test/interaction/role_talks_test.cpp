@@ -77,6 +77,18 @@ TEST_F(ScoutsTalk, AnAreaIsSharedWithWhoHoldsTheRole) {
   EXPECT_EQ(talks_.next_wakeup(), std::nullopt);
 }
 
+// A division that nobody had heard of yet when it left.
+TEST_F(ScoutsTalk, ThePartOfWhoHasLeftMeanwhileIsNobodys) {
+  talks_.negotiate("divide");
+  course_.my.holders.erase("heliv");
+
+  EXPECT_FALSE(decided(kAreaSharing, Kind::kAgreed, halves()));
+
+  EXPECT_THAT(course_.told, ElementsAre("divide ended", "member lost"));
+  ASSERT_THAT(share_.nobodys(), SizeIs(1));
+  EXPECT_NEAR(world::area(share_.nobodys().front()), 100 * 200, 1);
+}
+
 TEST_F(ScoutsTalk, AnAreaThatIsNotSharedIsAskedForAgainAfterASecond) {
   talks_.negotiate("divide");
   course_.interaction.withdraw(subject(kAreaSharing), "test");

@@ -121,6 +121,8 @@ class ScoutingCourse final : public RoleCourse {
   }
   void tell(const interaction::Input& input) override {
     constexpr const char* kWords[] = {"runs", "ended", "aborted"};
+    if (const auto* message = std::get_if<interaction::Message>(&input))
+      told.push_back(message->text);
     const auto* status = std::get_if<interaction::Status>(&input);
     if (status == nullptr) return;
     told.push_back(status->componel + " " + kWords[static_cast<int>(status->word)]);
