@@ -145,6 +145,10 @@ void Deliberation::carry_out(const supervisor::Answer& effect, const Asker& aske
 void Deliberation::carry_out(const supervisor::GoalChanged& effect, const Asker&) {
   core_.bus().emit(effect);
   core_.team().goal_changed(effect.status);
+  const bool is_given_up = effect.status.state == mission::GoalState::kFailed ||
+                           effect.status.state == mission::GoalState::kCancelled;
+  const auto goal = is_given_up ? supervisor_->goal(effect.status.id) : std::nullopt;
+  if (goal) core_.interaction().given_up(*goal, effect.status.why);
 }
 
 void Deliberation::carry_out(const supervisor::ToExecutive& effect, const Asker&) {

@@ -67,6 +67,8 @@ std::vector<Violation> places_against_constraints(const History& history);
 // joint_truth.cpp
 std::vector<Violation> joint_tasks_not_done(const History& history);
 std::vector<Violation> areas_mapped_twice(const History& history);
+// taking_in.cpp
+std::vector<Violation> newcomers_left_out(const History& history);
 // team.cpp
 std::vector<Violation> team_sales_nobody_bid_in(const History& history);
 std::vector<Violation> granted_and_not_begun(const History& history);

@@ -165,4 +165,28 @@ std::vector<Violation> places_against_constraints(const History& history) {
   return result;
 }
 
+const interaction::Variant* variant_of(const History& history, const JointTold& told) {
+  const interaction::Model* model = model_of(history, told.joint);
+  if (model == nullptr) return nullptr;
+  for (const interaction::Variant& one : model->variants) {
+    if (one.name == told.variant) return &one;
+  }
+  return nullptr;
+}
+
+std::set<std::string> shared_areas(const History& history, const interaction::Variant& variant) {
+  std::set<std::string> areas;
+  for (const std::string& name : variant.roles) {
+    const auto table = variant.table.parameters.find(name);
+    const interaction::Role& role = history.scenario->interaction->roles.at(name);
+    for (const interaction::Componel& one : role.automaton.componels()) {
+      if (one.action() == nullptr || one.action()->modality != "area-sharing") continue;
+      const config::Value* area = one.action()->in.find("area");
+      if (area == nullptr || table == variant.table.parameters.end()) continue;
+      if (table->second.contains(area->scalar)) areas.insert(table->second.at(area->scalar));
+    }
+  }
+  return areas;
+}
+
 }  // namespace skein::laws

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,11 @@ std::vector<Held> roles_held(const JointHistory& history);
 
 /// The model named by "model(a b c) of x, y" in the scenario's library; null: there is none.
 const interaction::Model* model_of(const History& history, const std::string& joint);
+/// The variant in which this UAV was in a joint task; null: the library has no such one.
+const interaction::Variant* variant_of(const History& history, const JointTold& told);
+/// The areas that members of the variant share: parameters of the model that an action of area
+/// sharing names.
+std::set<std::string> shared_areas(const History& history, const interaction::Variant& variant);
 /// Parameters of the variant by name: words of "model(a b c) of x, y", lists of UAVs left out.
 std::map<std::string, std::string> arguments_of(const std::string& joint,
                                                 const interaction::Variant& variant);

@@ -16,15 +16,6 @@ namespace {
 
 constexpr double kTruthStep = 1;  // [s] how finely truth is looked at
 
-const interaction::Variant* variant_of(const History& history, const JointTold& told) {
-  const interaction::Model* model = model_of(history, told.joint);
-  if (model == nullptr) return nullptr;
-  for (const interaction::Variant& one : model->variants) {
-    if (one.name == told.variant) return &one;
-  }
-  return nullptr;
-}
-
 /// What this UAV told last of the joint task of a goal.
 const JointTold* told_of(const History& history, const Uav& uav, const Goal& goal) {
   const auto& all = history.joint.joints;
@@ -84,11 +75,33 @@ int died_before_it_began(const History& history, const std::string& joint,
       all, [&](const JointTold& told) { return told.joint == joint && died(told); }));
 }
 
+/// UAVs that had agreed on that role and had not begun it when they were out of reach of one who
+/// had, for long enough to be lost there.
+int cut_off_before_it_began(const History& history, const std::vector<Held>& held,
+                            const std::string& joint, const std::string& role) {
+  constexpr double kLost = 55;  // [s] after what was heard last
+  const auto lost = [&](const JointTold& told, const Held& one) {
+    return std::ranges::any_of(history.joint.links, [&](const LinkTold& link) {
+      return !link.up && link.at + kLost < one.until && one.from < link.at + kLost &&
+             history.joint.cut_off(told.uav, one.uav, link.at, link.at + kLost);
+    });
+  };
+  return static_cast<int>(std::ranges::count_if(history.joint.joints, [&](const JointTold& told) {
+    const auto had = std::ranges::find(told.phases, role, &JointTold::Phase::role);
+    const auto ran = std::ranges::find(told.phases, "running", &JointTold::Phase::phase);
+    if (told.joint != joint || had == told.phases.end() || ran != told.phases.end()) return false;
+    return std::ranges::any_of(held, [&](const Held& one) {
+      return one.joint == joint && one.uav != told.uav && had->at < one.until && lost(told, one);
+    });
+  }));
+}
+
 std::string roles_missing(const History& history, const std::string& joint,
                           const interaction::Variant& variant) {
   const std::vector<Held> held = roles_held(history.joint);
   for (const auto& [role, arity] : variant.table.arities) {
-    const int most = most_at_once(held, joint, role) + died_before_it_began(history, joint, role);
+    const int most = most_at_once(held, joint, role) + died_before_it_began(history, joint, role) +
+                     cut_off_before_it_began(history, held, joint, role);
     if (most < arity.least) {
       return "role " + role + " was held by " + std::to_string(most) + " at once, of " +
              std::to_string(arity.least);
@@ -213,23 +226,6 @@ std::string not_watched(const History& history, const std::string& joint,
 }
 
 // ---- what was mapped ----
-
-/// The areas that members of the variant share: parameters of the model that an action of area
-/// sharing names.
-std::set<std::string> shared_areas(const History& history, const interaction::Variant& variant) {
-  std::set<std::string> areas;
-  for (const std::string& name : variant.roles) {
-    const auto table = variant.table.parameters.find(name);
-    const interaction::Role& role = history.scenario->interaction->roles.at(name);
-    for (const interaction::Componel& one : role.automaton.componels()) {
-      if (one.action() == nullptr || one.action()->modality != "area-sharing") continue;
-      const config::Value* area = one.action()->in.find("area");
-      if (area == nullptr || table == variant.table.parameters.end()) continue;
-      if (table->second.contains(area->scalar)) areas.insert(table->second.at(area->scalar));
-    }
-  }
-  return areas;
-}
 
 /// What members looked at for a joint task.
 std::vector<Look> looks_for(const History& history, const std::string& joint) {

@@ -146,6 +146,25 @@ bool waits_in(const History& history, const Uav& uav, const Execution& wait, dou
   });
 }
 
+/// Whether it hears another partner that takes no part either, and that it may wait for.
+bool may_wait_for_another(const History& history, const Uav& uav, const Execution& wait,
+                          const Goal& goal, const std::string& silent) {
+  const double until = std::min(wait.over, history.end);
+  const auto& joints = history.joint.joints;
+  const auto own = std::find_if(joints.rbegin(), joints.rend(), [&](const JointTold& one) {
+    return one.uav == uav.name() && uav.goal_of_task(one.task) == goal.id;
+  });
+  if (own == joints.rend()) return false;
+  const auto takes_part = [&](const std::string& partner) {
+    return std::ranges::any_of(joints, [&](const JointTold& one) {
+      return one.uav == partner && one.joint == own->joint && one.phases.front().at < until;
+    });
+  };
+  return std::ranges::any_of(partners_of(uav, goal.task), [&](const std::string& partner) {
+    return partner != silent && !silent_since(history, uav, partner, until) && !takes_part(partner);
+  });
+}
+
 }  // namespace
 
 std::vector<Violation> absent_partners_awaited(const History& history) {
@@ -163,6 +182,7 @@ std::vector<Violation> absent_partners_awaited(const History& history) {
         const Limit limit = limit_of(history, uav, wait, goal->second, partner->second);
         if (until <= limit.ends + kMargin) continue;
         if (!waits_in(history, uav, wait, limit.ends + kMargin, until)) continue;
+        if (may_wait_for_another(history, uav, wait, goal->second, other)) continue;
         result.push_back({"", until, name, goal->first,
                           mission::to_text(goal->second.task) + " has waited until " +
                               figure(until) + " s for '" + other + "', which " + limit.why +

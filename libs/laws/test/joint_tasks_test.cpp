@@ -416,5 +416,46 @@ TEST(JointLaws, APlaceKeepsApartFromPartners) {
       IsEmpty());
 }
 
+/// Marvin maps for so long from 20 s on; heliv asks for it from 40 s on.
+Told asked_for_while_it_runs(double seconds) {
+  Told told;
+  told.shares({{-150, -100}, {150, -100}, {150, 100}, {-150, 100}});
+  told.phase(10, "marvin", "running", "watch").perceives("marvin", 9, 20, 20 + seconds);
+  return told.phase(30, "heliv", "loading", "").due(40, "heliv");
+}
+
+TEST(JointLaws, WhoAsksForAnAreaThatOthersMapTakesPart) {
+  EXPECT_THAT(asked_for_while_it_runs(300).broken(newcomers_left_out),
+              ElementsAre(HasSubstr("goes on without it for 280.0 s")));
+  EXPECT_THAT(asked_for_while_it_runs(100).broken(newcomers_left_out), IsEmpty())
+      << "there is hardly time to agree";
+  EXPECT_THAT(asked_for_while_it_runs(300)
+                  .phase(70, "heliv", "running", "watch")
+                  .broken(newcomers_left_out),
+              IsEmpty());
+}
+
+TEST(JointLaws, WhoCannotTalkToThoseWhoMapIsNotTakenIn) {
+  EXPECT_THAT(asked_for_while_it_runs(300).link(50, false).broken(newcomers_left_out), IsEmpty());
+  EXPECT_THAT(asked_for_while_it_runs(300).dies("marvin", 60, 90).broken(newcomers_left_out),
+              IsEmpty());
+}
+
+// Found by random missions (--sharing --deaths 7): it had agreed on its role.
+TEST(JointLaws, WhoIsCutOffBeforeItBeginsIsDoneWithout) {
+  Told told;
+  told.shares({{-30, -30}, {30, -30}, {30, 30}, {-30, 30}});
+  told.phase(5, "heliv", "loaded", "relay").phase(8, "heliv", "loading", "relay");
+  told.phase(10, "marvin", "running", "watch");
+  told.perceives("marvin", 9, 20, 120).is_at("marvin", {0, 0, 60});
+  told.phase(130, "marvin", "ended", "watch").goal(131, "marvin", "achieved");
+
+  EXPECT_THAT(told.broken(joint_tasks_not_done),
+              ElementsAre(HasSubstr("role relay was held by 0")));
+  EXPECT_THAT(Told(told).link(30, false).broken(joint_tasks_not_done), IsEmpty());
+  EXPECT_THAT(Told(told).link(30, false).link(60, true).broken(joint_tasks_not_done), SizeIs(1))
+      << "not for long enough to be lost";
+}
+
 }  // namespace
 }  // namespace skein::laws

@@ -141,6 +141,40 @@ TEST(AreaSharing, MoreAreaThanAllHaveTheEnergyForIsNotShared) {
       << result.error().why;
 }
 
+TEST(AreaSharing, DivisionsBeforeAndWhoseRemaindersAreSharedAnewMayBeSaid) {
+  const Row field = area({0, 0, 100, 0, 100, 100, 0, 100});
+  const auto problem = [&](Row one) {
+    return area_sharing().problem_of(terms_of(2, {field, std::move(one)}));
+  };
+  EXPECT_EQ(problem({kDivisions, "", {3}}), std::nullopt);
+  EXPECT_EQ(problem({kDivisions, "", {0}}), std::nullopt);
+  EXPECT_EQ(problem({kAnew, "b", {1}}), std::nullopt);
+
+  for (const double count : {-1.0, 1.5, 1e7}) {
+    EXPECT_EQ(problem({kDivisions, "", {count}}), "'divisions' is no number of divisions");
+    EXPECT_EQ(problem({kAnew, "b", {count}}), "'anew' is no number of divisions of a member");
+  }
+  EXPECT_NE(problem({kAnew, "b", {0}}), std::nullopt) << "it was never shared";
+  EXPECT_NE(problem({kAnew, "somebody", {1}}), std::nullopt);
+  EXPECT_NE(problem({kAnew, "b", {}}), std::nullopt);
+  EXPECT_NE(
+      area_sharing().problem_of(terms_of(2, {field, {kDivisions, "", {1}}, {kDivisions, "", {2}}})),
+      std::nullopt);
+  EXPECT_EQ(area_sharing().problem_of(terms_of(2, {{kAnew, "b", {1}}})), "no areas");
+}
+
+TEST(AreaSharing, OnlyAreasAreDivided) {
+  const Row field = area({0, 0, 100, 0, 100, 100, 0, 100});
+  const std::map<std::string, Rows> offers{{"a", offer_of(helicopter(8, 40, {0, 0}))},
+                                           {"b", offer_of(helicopter(8, 40, {100, 100}))}};
+  const auto plain = area_sharing().settle(terms_of(2, {field}), offers);
+  const auto anew =
+      area_sharing().settle(terms_of(2, {{kAnew, "b", {1}}, field, {kDivisions, "", {1}}}), offers);
+
+  ASSERT_TRUE(plain && anew);
+  EXPECT_EQ(*plain, *anew);
+}
+
 TEST(AreaSharing, AnOfferIsReadAsItWasMade) {
   Sweeper one = helicopter(9, 33, {12.5, -3});
   one.vehicle.hovers = false;

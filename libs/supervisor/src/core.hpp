@@ -30,6 +30,10 @@ class Supervisor::Core {
     const Entry* entry = book_.find(task);
     return engaged() && entry != nullptr && entry->over();
   }
+  std::optional<mission::HighLevelTask> goal(GoalId id) const {
+    const auto known = book_.goals.find(id);
+    return known == book_.goals.end() ? std::nullopt : std::optional(known->second.task);
+  }
 
  private:
   MissionTime now() const { return out_.now(); }

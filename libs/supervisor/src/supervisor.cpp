@@ -26,6 +26,9 @@ bool Supervisor::loses_sight_of(const std::string& place, const world::Vector3& 
   return core_->loses_sight_of(place, now);
 }
 bool Supervisor::has_given_up(executive::TaskId task) const { return core_->has_given_up(task); }
+std::optional<mission::HighLevelTask> Supervisor::goal(mission::GoalId id) const {
+  return core_->goal(id);
+}
 
 namespace {
 

@@ -27,12 +27,14 @@ SweepSetting AreaMapping::setting(const std::string& role) const {
           device_of(my_.joint.library->roles.at(role), knowledge->vehicle)};
 }
 
-Result<interaction::Rows, Failure> AreaMapping::offer() const {
-  return share_.offer(setting(my_.holders.at(host_.config().uav)));
+Result<interaction::Rows, Failure> AreaMapping::offer(const interaction::Terms& terms) const {
+  return share_.offer(terms, setting(my_.holders.at(host_.config().uav)));
 }
 
 void AreaMapping::map(const std::string& componel) {
   if (!share_.agreed()) return course_.fail(componel, "the area is not shared");
+  // Of who was lost while the role began this anew it has not heard.
+  if (!share_.nobodys().empty()) course_.tell(interaction::Message{kMemberLost});
   const SweepSetting setting = this->setting(course_.play().role());
   const auto way = share_.set_out(setting);
   if (!way) return course_.fail(componel, way.error().why);

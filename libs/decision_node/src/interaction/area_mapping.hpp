@@ -16,7 +16,7 @@ class AreaMapping {
   AreaShare& share() { return share_; }
   const AreaShare& share() const { return share_; }
   /// What this UAV can map, for the division of the area. Precondition: it holds a role.
-  Result<interaction::Rows, Failure> offer() const;
+  Result<interaction::Rows, Failure> offer(const interaction::Terms& terms) const;
   /// The flights over what is left of the own part, for the task of the componel, with its device
   /// on; tells that it has ended if nothing is left.
   void map(const std::string& componel);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "skein/supervisor/area_sweep.hpp"
 #include "skein/supervisor/way_home.hpp"
@@ -21,9 +22,10 @@ using world::Vector3;
 constexpr const char* kRound = "round";
 constexpr const char* kLeft = "left";
 constexpr const char* kTaken = "taken";  // with whose it was
-constexpr double kCovered = 0.95;        // of a part: somebody else has it
-constexpr std::size_t kLookAhead = 3;    // way-points, some of which may lie within one step
-constexpr double kNothing = 1;           // [m²]
+constexpr const char* kArea = "area";
+constexpr double kCovered = 0.95;      // of a part: somebody else has it
+constexpr std::size_t kLookAhead = 3;  // way-points, some of which may lie within one step
+constexpr double kNothing = 1;         // [m²]
 
 /// One side of a line.
 Polygon below(const Polygon& polygon, const Vector2& normal, double highest) {
@@ -67,6 +69,14 @@ std::vector<Polygon> named(const Rows& rows, const std::string& name, const std:
     if (row.name == name && row.text == text && row.numbers.size() >= 6)
       all.push_back(polygon_of(row));
   return all;
+}
+
+/// In which round of divisions it was told; absent: it tells of none.
+std::optional<int> round_of(const Rows& left) {
+  const bool tells = !left.empty() && left.front().name == kRound &&
+                     left.front().numbers.size() == 1 && left.front().numbers[0] >= 1 &&
+                     left.front().numbers[0] <= interaction::kMostDivisions;
+  return tells ? std::optional(static_cast<int>(left.front().numbers[0])) : std::nullopt;
 }
 
 /// Across its longest leg from a point on.
@@ -156,10 +166,19 @@ double AreaShare::area_left() const {
 
 // ---- who has what ----
 
-void AreaShare::agree(const Rows& result) {
+void AreaShare::agree(const Rows& result, const Rows& parameters) {
+  there_.clear();
+  for (const Row& row : parameters) {
+    if (row.name == interaction::kDivisions || row.name == interaction::kAnew)
+      round_ = std::max(round_, static_cast<int>(row.numbers.front()));
+    if (row.name != interaction::kAnew) continue;
+    if (row.text == self_) own_.clear();
+    others_.erase(row.text);
+  }
   ++round_;
   std::vector<Polygon> shared;
   for (const Row& row : result) {
+    newcomers_.erase(row.name);
     if (row.numbers.empty()) continue;
     shared.push_back(polygon_of(row));
     if (row.name == self_)
@@ -174,21 +193,25 @@ void AreaShare::agree(const Rows& result) {
 
 void AreaShare::add(Polygon area) {
   for (const auto& [uav, theirs] : lost_) {
-    const bool had = std::any_of(theirs.begin(), theirs.end(), [&](const Polygon& one) {
-      return common_area(area, one) > kNothing;
-    });
+    const bool had = theirs.empty() || std::ranges::any_of(theirs, [&](const Polygon& one) {
+                       return common_area(area, one) > kNothing;
+                     });
     if (had) taken_[uav].push_back(area);
   }
   own_.push_back({std::move(area)});
 }
 
 void AreaShare::take(const std::vector<Polygon>& areas) {
+  there_.clear();
   ++round_;
   for (const Polygon& area : areas) add(area);
   lost_.clear();
 }
 
+// Who is lost before the first division may be given any of it, or take all.
 void AreaShare::lose(const std::string& uav) {
+  newcomers_.erase(uav);
+  if (!agreed()) lost_.try_emplace(uav);
   auto theirs = others_.extract(uav);
   if (theirs.empty()) return;
   std::vector<Polygon>& lost = lost_[uav];
@@ -196,6 +219,7 @@ void AreaShare::lose(const std::string& uav) {
 }
 
 void AreaShare::leave_to(const std::string& uav) {
+  there_.erase(uav);
   others_.erase(uav);
   lost_.erase(uav);
 }
@@ -207,12 +231,33 @@ std::vector<Polygon> AreaShare::nobodys() const {
 }
 
 void AreaShare::told(const std::string& uav, const Rows& left) {
+  const auto round = round_of(left);
+  if (!round) return;
+  if (!agreed()) there_[uav] = left;
   const auto theirs = others_.find(uav);
-  if (theirs == others_.end() || left.empty() || left.front().name != kRound ||
-      left.front().numbers.size() != 1 || left.front().numbers[0] < round_) {
-    return;
+  if (theirs != others_.end() && *round >= round_) theirs->second = named(left, kLeft, "");
+}
+
+Rows AreaShare::remainders_of_others() const {
+  Rows rows;
+  for (const auto& [uav, left] : there_) {
+    const bool is_there = !lost_.contains(uav);  // else what it had left is nobody's
+    if (is_there) rows.push_back({interaction::kAnew, uav, {static_cast<double>(*round_of(left))}});
+    for (const Polygon& area : named(left, kLeft, ""))
+      rows.push_back(interaction::row_of(kArea, area));
   }
-  theirs->second = named(left, kLeft, "");
+  return rows;
+}
+
+std::string AreaShare::outdated(const interaction::Terms& terms) const {
+  const auto anew = std::ranges::find_if(terms.parameters, [&](const Row& row) {
+    return row.name == interaction::kAnew && row.text == self_;
+  });
+  if (anew == terms.parameters.end()) {
+    const bool comes = agreed() && newcomers_.contains(terms.opener);
+    return comes ? "'" + terms.opener + "' does not know yet what it has left" : "";
+  }
+  return anew->numbers.front() == round_ ? "" : "what it has left was shared since";
 }
 
 bool AreaShare::yield_to(const std::string& uav, const Rows& left) {
@@ -234,11 +279,16 @@ bool AreaShare::yield_to(const std::string& uav, const Rows& left) {
 
 // ---- flights ----
 
-Result<Rows, Failure> AreaShare::offer(const SweepSetting& setting) const {
+Result<Rows, Failure> AreaShare::offer(const interaction::Terms& terms,
+                                       const SweepSetting& setting) const {
+  if (std::string why = outdated(terms); !why.empty()) return failure(std::move(why));
+  const bool gives_its_own = std::ranges::any_of(terms.parameters, [&](const Row& row) {
+    return row.name == interaction::kAnew && row.text == self_;
+  });
   const supervisor::Knowledge& knowledge = *setting.knowledge;
   const auto swath = supervisor::shared_swath_of(knowledge, setting.device);
   if (!swath) return failure(swath.error());
-  const auto before = sweeps_over(own_left(), setting);
+  const auto before = sweeps_over(gives_its_own ? std::vector<Polygon>{} : own_left(), setting);
   if (!before) return tl::unexpected(before.error());
   const double home = supervisor::least_to_come_home(knowledge, *setting.world, setting.now,
                                                      setting.state.position);

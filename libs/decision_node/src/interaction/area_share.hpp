@@ -5,11 +5,13 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "skein/foundation/result.hpp"
 #include "skein/negotiation/area_offer.hpp"
+#include "skein/negotiation/terms.hpp"
 #include "skein/refiners/flight.hpp"
 #include "skein/supervisor/planning.hpp"
 #include "skein/world/vehicle_state.hpp"
@@ -31,9 +33,12 @@ class AreaShare {
 
   /// Whether the area was divided at least once.
   bool agreed() const { return round_ > 0; }
-  /// A result of area-sharing: adds each part to the remainder of its member. What had no owner has
-  /// one then, as far as it was shared: somebody may have been lost since the session was opened.
-  void agree(const interaction::Rows& result);
+  /// How often.
+  int divisions() const { return round_; }
+  /// A result of area-sharing under these parameters: adds each part to the remainder of its
+  /// member; of those whose remainders were shared anew, in their stead. What had no owner has one
+  /// then, as far as it was shared: somebody may have been lost since the session was opened.
+  void agree(const interaction::Rows& result, const interaction::Rows& parameters = {});
   /// Adds all of `areas` to this member's own part.
   void take(const std::vector<world::Polygon>& areas);
   /// A partner is lost: its remainder, as last told or agreed, has no owner any more.
@@ -45,8 +50,16 @@ class AreaShare {
   bool yield_to(const std::string& uav, const interaction::Rows& left);
   /// The remainders of lost partners.
   std::vector<world::Polygon> nobodys() const;
-  /// A partner's remainder. Ignored if it was told before the latest division.
+  /// A partner's remainder. Ignored if it was told before the latest division. Before the first
+  /// one, it is of a partner that has taken this member in.
   void told(const std::string& uav, const interaction::Rows& left);
+  /// Whether this member comes to partners that have shared the area.
+  bool comes_later() const { return !there_.empty(); }
+  /// The parameters of a session that shares anew what they have left.
+  interaction::Rows remainders_of_others() const;
+  /// A member holds a role from now on that held none: all share anew what they have left once it
+  /// asks them to.
+  void take_in(const std::string& uav) { newcomers_.insert(uav); }
 
   /// This member's remainder, and what it took of lost partners, for all; empty before the first
   /// division.
@@ -54,8 +67,10 @@ class AreaShare {
   /// Area of this member's remainder [m²].
   double area_left() const;
 
-  /// This member's capacity beside its remainder. Refused: no device, no way, no energy.
-  Result<interaction::Rows, Failure> offer(const SweepSetting& setting) const;
+  /// This member's capacity beside its remainder, or with it where that is to be shared anew.
+  /// Refused: no device, no way, no energy; its remainder is not as the session has it.
+  Result<interaction::Rows, Failure> offer(const interaction::Terms& terms,
+                                           const SweepSetting& setting) const;
   /// The way over all of this member's remainder, from its position; empty: nothing remains.
   /// Flights reported from then on reduce the remainder.
   Result<refiners::Way, Failure> set_out(const SweepSetting& setting);
@@ -74,6 +89,8 @@ class AreaShare {
     world::Polygon left() const;
   };
   std::vector<world::Polygon> own_left() const;
+  /// Why what a session shares is not what there is; empty: it is.
+  std::string outdated(const interaction::Terms& terms) const;
   /// To this member's own part.
   void add(world::Polygon area);
 
@@ -85,7 +102,9 @@ class AreaShare {
   std::map<std::string, std::vector<world::Polygon>> taken_;  ///< by the partner that had them
   /// What others said to have, and to have taken of this member's, by who said it.
   std::map<std::string, std::vector<world::Polygon>> kept_by_, taken_by_;
-  std::vector<world::Vector3> at_;  ///< the last position; empty: unknown
+  std::map<std::string, interaction::Rows> there_;  ///< before the first division: told by partners
+  std::set<std::string> newcomers_;                 ///< who were taken in, and have no part yet
+  std::vector<world::Vector3> at_;                  ///< the last position; empty: unknown
 };
 
 /// The part of a convex polygon in which `lowest` <= its distance along `normal` <= `highest`.

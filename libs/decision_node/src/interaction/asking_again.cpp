@@ -17,6 +17,10 @@ void AskingAgain::not_agreed(const std::string& why, MissionTime now) {
   open_->why = why;
 }
 
+void AskingAgain::renew(MissionTime now) {
+  if (open_) open_->until = now + patience_;
+}
+
 void AskingAgain::stop(const std::string& action) {
   if (asks(action)) stop();
 }

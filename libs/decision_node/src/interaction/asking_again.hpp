@@ -21,6 +21,9 @@ class AskingAgain {
   void ask(const std::string& action, MissionTime now);
   /// To be asked again after a pause. No effect if nothing is asked.
   void not_agreed(const std::string& why, MissionTime now);
+  /// The circumstances are others: from now on for as long as at first. No effect if nothing is
+  /// asked.
+  void renew(MissionTime now);
   void stop() { open_.reset(); }
   /// The same, if it is this action.
   void stop(const std::string& action);

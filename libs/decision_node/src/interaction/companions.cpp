@@ -18,12 +18,22 @@ std::vector<std::string> Companions::counted_on() const {
   return all;
 }
 
+bool Companions::counts_on(const std::string& uav) const {
+  return std::ranges::count(counted_on(), uav) > 0;
+}
+
 bool Companions::all_have_ended() const { return counted_on().empty(); }
 
 void Companions::begin_anew() {
   ended_.clear();
   begun_.clear();
   hears_.clear();
+}
+
+void Companions::begin_anew(const std::string& uav) {
+  ended_.erase(uav);
+  begun_.erase(uav);
+  hears_.erase(uav);
 }
 
 void Companions::told(const interaction::JointTaskStatus& status) {

@@ -28,9 +28,12 @@ class Companions {
 
   /// Roles were agreed: what was said of the end of others counts no more.
   void begin_anew();
+  /// Likewise of one of them.
+  void begin_anew(const std::string& uav);
   void has_ended(const std::string& uav) { ended_.insert(uav); }
   /// A holder of a role said this of itself, and of whom it does not hear.
   void told(const interaction::JointTaskStatus& status);
+  bool counts_on(const std::string& uav) const;
   /// Whether every holder of a role that is counted on has said that its role runs, or ran.
   bool all_have_begun() const;
   /// Those who are out of reach: a row `silent` for each, with its name.

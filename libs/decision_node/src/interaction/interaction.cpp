@@ -42,8 +42,12 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
   }
   if (const auto* seen = sightings_.own(); seen != nullptr) {
     const std::string why = no_role_for(*joint, host_.config().knowledge->vehicle, seen->state);
-    if (!why.empty()) return refuse(asked, *joint, why);
+    if (!why.empty()) {
+      decline(*joint, why);
+      return host_.answered({asked.task.id, false, {}, why, {}});
+    }
   }
+  declined_.erase(joint->subject);
   // Later than foreseen is better than not at all, where nothing forbids it.
   std::vector<mission::Interval> preferences = asked.preferences;
   if (!preferences.empty() && !asked.task.time.start_before) {
@@ -85,6 +89,11 @@ void Interaction::forget_what_is_over() {
     const auto since = one.second->over_since();
     return since && *since + kForgotten <= now;
   });
+  std::erase_if(otherwise_, [&](const auto& one) {
+    return std::ranges::none_of(
+        tasks_, [&](const auto& task) { return task.second->asked().subject == one.first; });
+  });
+  std::erase_if(declined_, [&](const auto& one) { return one.second.at + kForgotten <= now; });
   std::erase_if(refusals_, [&](const auto& one) {
     const bool wanted = std::ranges::any_of(
         tasks_, [&](const auto& task) { return task.second->asked().subject == one.first.first; });
@@ -92,20 +101,31 @@ void Interaction::forget_what_is_over() {
   });
 }
 
-// Its partners wait for it.
-void Interaction::refuse(const supervisor::LoadJointTask& asked, const Joint& joint,
-                         const std::string& why) {
+// They wait for it.
+void Interaction::decline(const Joint& joint, const std::string& why) {
   interaction::JointTaskStatus status;
   status.uav = host_.config().uav;
   status.subject = joint.subject;
-  status.task = asked.task.id.value();
+  status.task = joint.task.value();
   status.model = joint.model;
   status.variant = joint.variant->name;
   status.hash = joint.hash;
   status.phase = interaction::JointPhase::kNotLoaded;
   status.why = why;
-  host_.bus().emit(JointTaskChanged{std::move(status), joint.others(host_.config().uav)});
-  host_.answered({asked.task.id, false, {}, why, {}});
+  const JointTaskChanged told{std::move(status), joint.others(host_.config().uav)};
+  declined_[joint.subject] = {host_.bus().now(), told};
+  host_.bus().emit(told);
+}
+
+// What was loaded has told its partners.
+void Interaction::given_up(const mission::HighLevelTask& goal, const std::string& why) {
+  forget_what_is_over();
+  const auto& library = host_.config().interaction;
+  if (library == nullptr || !library->models.contains(goal.name)) return;
+  const auto joint = joint_of(as_planned(goal, *library), library, host_.config().uav,
+                              host_.config().others.names());
+  const auto is_it = [&](const auto& one) { return one.second->asked().subject == joint->subject; };
+  if (joint && std::ranges::none_of(tasks_, is_it)) decline(*joint, why);
 }
 
 const Interaction::Refusal* Interaction::refusal_of(const std::string& subject,
@@ -318,7 +338,26 @@ void Interaction::carry_out(const interaction::InvitedToNegotiate& effect) {
                                          ", not of " + joined(task->asked().members, ", ")});
   }
   host_.bus().emit(NegotiationNoted{effect.terms, "invited", {}, "", {}});
-  if (task != nullptr) task->invited(effect.terms);
+  task != nullptr ? task->invited(effect.terms) : note_strange(effect.terms);
+}
+
+void Interaction::note_strange(const interaction::Terms& terms) {
+  const std::string asked = terms.subject.substr(0, terms.subject.rfind('/'));
+  if (const auto known = declined_.find(asked); known != declined_.end())
+    host_.bus().emit(known->second.told);
+  for (const auto& [id, task] : tasks_) {
+    const auto different =
+        is_to_begin(task->phase()) ? difference(task->asked(), asked) : std::nullopt;
+    if (!different) continue;
+    const std::string text = "'" + terms.opener + "' asks for it with " + *different;
+    if (std::exchange(otherwise_[task->asked().subject], text) != text)
+      host_.bus().emit(Notice{task->asked().subject + ": " + text});
+  }
+}
+
+std::string Interaction::asked_otherwise(const std::string& subject) const {
+  const auto known = otherwise_.find(subject);
+  return known == otherwise_.end() ? "" : known->second;
 }
 
 // Evaluated after what led to it is carried out.

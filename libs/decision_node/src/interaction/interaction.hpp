@@ -32,6 +32,9 @@ class Interaction final : public Component {
   void due(executive::TaskId task, bool interrupt);
   /// Ends a joint task on this UAV; partners are told.
   void leave(executive::TaskId task, const std::string& why);
+  /// A goal of this UAV is not reached: if it is a joint task, its partners are told, now and when
+  /// they ask for it, that this UAV takes no part.
+  void given_up(const mission::HighLevelTask& goal, const std::string& why);
   bool is_over(executive::TaskId task) const;
   /// Whether the vehicle may move away without breaking a constraint of the joint task: it is not
   /// agreed or not due yet, or no constraint holds in the current state of the role.
@@ -63,6 +66,9 @@ class Interaction final : public Component {
   };
   /// Null: it has not said so, says something else since, or it is long over.
   const Refusal* refusal_of(const std::string& subject, const std::string& uav) const;
+  /// How a partner asks for that joint task instead: "'heliv' asks for it with duration 400, not
+  /// 315". Empty: nobody does.
+  std::string asked_otherwise(const std::string& subject) const;
   /// Until when at most this UAV waits for joint tasks that come before this one in its plan and
   /// are not agreed on; absent: there is none.
   std::optional<MissionTime> engaged_until(executive::TaskId task) const;
@@ -83,7 +89,10 @@ class Interaction final : public Component {
   void carry_out(const interaction::NegotiationSettled& effect);
   void carry_out(const interaction::MessageRejected& effect);
   void stop_reckoning(const std::string& subject);
-  void refuse(const supervisor::LoadJointTask& asked, const Joint& joint, const std::string& why);
+  /// Tells its partners.
+  void decline(const Joint& joint, const std::string& why);
+  /// Somebody asks for what was not asked for here: not at all, or not so.
+  void note_strange(const interaction::Terms& terms);
   /// Tells a partner that counts on this UAV that it plays no role.
   void disown(interaction::JointTaskStatus status);
   void forget_what_is_over();
@@ -96,6 +105,12 @@ class Interaction final : public Component {
   std::optional<interaction::NegotiationManager> manager_;
   std::map<executive::TaskId, std::unique_ptr<JointTask>> tasks_;
   std::map<std::pair<std::string, std::string>, Refusal> refusals_;  ///< by subject and UAV
+  std::map<std::string, std::string> otherwise_;  ///< asked_otherwise() by subject
+  struct Declined {
+    MissionTime at;
+    JointTaskChanged told;
+  };
+  std::map<std::string, Declined> declined_;             ///< by subject, until it is asked for here
   std::map<executive::TaskId, world::Vector3> flights_;  ///< of roles, under way, and from where
   Aborts aborts_;
   Rising ids_;  ///< of tasks of roles, from the first one on

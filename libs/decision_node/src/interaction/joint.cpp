@@ -136,6 +136,59 @@ Result<Joint, Failure> joint_of(const mission::ElementaryTask& task,
   return joint;
 }
 
+namespace {
+
+executive::Parameter parameter_of(const std::string& name, const mission::Argument& argument) {
+  executive::Parameter parameter{name, "", {}};
+  if (const auto* text = std::get_if<std::string>(&argument)) parameter.text = *text;
+  if (const auto* number = std::get_if<double>(&argument)) parameter.numbers = {*number};
+  if (const auto* at = std::get_if<world::Vector3>(&argument)) {
+    parameter.numbers = {at->x(), at->y(), at->z()};
+  }
+  if (const auto* names = std::get_if<std::vector<std::string>>(&argument)) {
+    parameter.text = joined(*names, " ");
+  }
+  return parameter;
+}
+
+}  // namespace
+
+mission::ElementaryTask as_planned(const mission::HighLevelTask& task,
+                                   const interaction::Library& library) {
+  mission::ElementaryTask result;
+  result.id = executive::TaskId(task.id.value());
+  result.type = std::string(executive::kJointPrefix) + task.name;
+  result.time = task.time;
+  const auto model = library.models.find(task.name);
+  if (model == library.models.end()) return result;
+  const interaction::Parameters& wanted = model->second.variants.front().parameters;
+  for (std::size_t i = 0; i < std::min(wanted.size(), task.arguments.size()); ++i) {
+    result.parameters.add(parameter_of(wanted[i].name, task.arguments[i]));
+  }
+  return result;
+}
+
+std::optional<std::string> difference(const Joint& joint, const std::string& other_subject) {
+  const std::string before = joint.model + "(", after = ") of " + joined(joint.members, ", ");
+  const auto values = [&](const std::string& subject) -> std::vector<std::string> {
+    const bool is_alike = subject.starts_with(before) && subject.ends_with(after) &&
+                          subject.size() > before.size() + after.size();
+    if (!is_alike) return {};
+    return words_of(subject.substr(before.size(), subject.size() - before.size() - after.size()));
+  };
+  const std::vector<std::string> mine = values(joint.subject), theirs = values(other_subject);
+  if (mine.empty() || mine.size() != theirs.size() || mine.front() != theirs.front())
+    return std::nullopt;
+  std::vector<std::string> different;
+  std::size_t i = 0;
+  for (const interaction::Parameter& one : joint.variant->parameters) {
+    if (one.type == ParameterType::kUavList || i == mine.size()) continue;
+    if (mine[i] != theirs[i]) different.push_back(one.name + " " + theirs[i] + ", not " + mine[i]);
+    ++i;
+  }
+  return different.empty() ? std::nullopt : std::optional(joined(different, "; "));
+}
+
 std::vector<std::string> Joint::others(const std::string& self) const {
   std::vector<std::string> others = members;
   std::erase(others, self);

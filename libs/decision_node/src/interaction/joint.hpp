@@ -14,6 +14,7 @@
 #include "skein/interaction/model_hash.hpp"
 #include "skein/interaction/scm_monitor.hpp"
 #include "skein/mission/elementary_plan.hpp"
+#include "skein/mission/high_level_task.hpp"
 
 namespace skein::decision_node {
 
@@ -37,6 +38,15 @@ struct Joint {
   /// All members but `self`.
   std::vector<std::string> others(const std::string& self) const;
 };
+
+/// A high-level task that names an interaction model, as a planner would make it: its arguments are
+/// those of the model's variants, in their order.
+mission::ElementaryTask as_planned(const mission::HighLevelTask& task,
+                                   const interaction::Library& library);
+
+/// What is different where the same members ask for the same joint task, at the same first
+/// argument, by a subject made of other values: "duration 400, not 315". Absent: they do not.
+std::optional<std::string> difference(const Joint& joint, const std::string& other_subject);
 
 /// The joint task of an elementary task. Refused: unknown model, no variant for this number of
 /// members, a parameter missing or of another type, a member that is not in `team`, this UAV not

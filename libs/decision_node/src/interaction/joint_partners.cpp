@@ -68,13 +68,15 @@ void JointTask::partner_told(const interaction::JointTaskStatus& status, Mission
                     status.phase == JointPhase::kNotLoaded;
   if (status.phase == JointPhase::kLoading) time_.engage(status.uav, status.agreed_start, now());
   // What it said before the roles were agreed is about an attempt before this one.
-  if (!roles_known_ || at <= agreed_at_) return;
+  if (!roles_known_ || at <= agreed_at_ || newcomers_.is_from_before(status.uav, at)) return;
   if (status.phase == JointPhase::kEnded) companions_.has_ended(status.uav);
   companions_.told(status);
+  const bool does_without = status.phase == JointPhase::kRunning && !status.holders.empty() &&
+                            !status.holders.contains(self_);
+  if (does_without && my_.phase == JointPhase::kRunning) return go_on_apart(status);
+  if (does_without && is_to_begin(my_.phase))
+    return load_again("'" + status.uav + "' is at it without '" + self_ + "'");
   play_.mapping().share().told(status.uav, status.left);
-  const bool goes_on = my_.phase == JointPhase::kRunning && status.phase == JointPhase::kRunning;
-  if (goes_on && !status.holders.empty() && !status.holders.contains(self_))
-    return go_on_apart(status);
   const bool is_engaged = status.phase == JointPhase::kLoading && status.agreed_start;
   if (is_engaged && my_.phase == JointPhase::kLoaded && at > start_agreed_at_) {
     my_.phase = JointPhase::kLoading;

@@ -165,6 +165,16 @@ void JointPlay::lose(const std::string& uav) {
   tell(interaction::Message{kMemberLost});
 }
 
+bool JointPlay::may_be_called(const std::string& message) const {
+  return play_ && !next_role_ && play_->may_hear(message);
+}
+
+void JointPlay::take_in(const std::string& uav, const std::string& role) {
+  if (!play_) return;
+  play_->take_in(uav, role);
+  mapping_.share().take_in(uav);
+}
+
 void JointPlay::leave() {
   next_role_.reset();
   tell(interaction::Abort{});
@@ -367,7 +377,8 @@ void JointPlay::look_changed(const executive::TaskEvent& event) {
   const executive::TaskId flight = look->second;
   looks_.erase(look);
   const auto flown = tasks_.find(flight);
-  if (flown == tasks_.end() || event.state == executive::TaskState::kEnded) return;
+  const bool goes_with_it = interaction_.aborts().of(flight).has_value();
+  if (flown == tasks_.end() || goes_with_it || event.state == executive::TaskState::kEnded) return;
   record_.failed(flown->second, event.reason);
   interaction_.aborts().note(flight, AbortedFor::kNothing);
   host_.run(executive::Abort{flight});

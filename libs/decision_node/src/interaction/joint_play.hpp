@@ -44,6 +44,9 @@ class JointPlay final : private RoleCourse {
   /// The same, and its partners have ended their roles.
   bool nothing_is_left_together() const;
   void lose(const std::string& uav);
+  /// Whether a condition of the role may still come true by this message.
+  bool may_be_called(const std::string& message) const;
+  void take_in(const std::string& uav, const std::string& role);
   /// Begins such tasks that are under way anew: meetings without those who hold no role any more,
   /// mappings over what is left of the own part.
   void begin_anew(bool (*is_meant)(const interaction::Task& task));

@@ -25,9 +25,12 @@ constexpr Duration kAhead = Duration::milliseconds(5'000);
 constexpr Duration kFurthestAhead = Duration::milliseconds(60'000);
 constexpr double kSameBeginning = 25;  // [m] what a refusal depends on is the same
 
-/// Why nothing was agreed, and who is silent.
-std::string why_too_late(const Membership& my, const std::string& self, const Partners& partners) {
+/// Why nothing was agreed, who asks for it otherwise, and who is silent.
+std::string why_too_late(const Membership& my, const std::string& self, Interaction& interaction) {
+  const Partners& partners = interaction.partners();
   std::string why = my.why;
+  const std::string otherwise = interaction.asked_otherwise(my.joint.subject);
+  if (!otherwise.empty()) why += (why.empty() ? "" : "; ") + otherwise;
   for (const std::string& uav : my.joint.members) {
     const auto since = uav == self ? std::nullopt : partners.silent_since(uav);
     if (!since) continue;
@@ -60,7 +63,8 @@ JointTask::JointTask(JointHost& host, Interaction& interaction, Joint joint,
       asked_(joint),
       my_{std::move(joint)},
       companions_(host.partners(), my_, self_),
-      play_({host, interaction, sightings, *this, my_}) {}
+      play_({host, interaction, sightings, *this, my_}),
+      newcomers_({host, interaction, sightings, *this, my_}, play_, companions_) {}
 
 MissionTime JointTask::now() const { return host_.bus().now(); }
 
@@ -128,6 +132,7 @@ world::VehicleState JointTask::where_it_begins() const {
 
 Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms& terms) const {
   if (over()) return failure("it is over here: " + my_.why);
+  if (newcomers_.come_by(terms)) return newcomers_.offer_for(terms);
   if (terms.modality == "time-interval") {
     if (is_to_begin(my_.phase) && interaction_.engaged_until(my_.joint.task))
       return failure("a joint task before this one is not agreed on yet");
@@ -136,7 +141,7 @@ Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms
   if (sightings_.own() == nullptr) return failure("it does not know where it is");
   if (terms.modality == kAreaSharing) {
     if (!my_.holders.contains(self_)) return failure("it holds no role");
-    return play_.mapping().offer();
+    return play_.mapping().offer(terms);
   }
   const Outlook outlook = play_.outlook();
   if (gives_places(terms.modality)) return offer_of_places(terms, sightings_.own()->state, outlook);
@@ -149,6 +154,7 @@ void JointTask::decided(const interaction::Terms& terms,
   const bool loads =
       terms.subject == my_.joint.subject + kRoles || terms.subject == my_.joint.subject + kStart;
   if (!loads) return play_.decided(terms, outcome);
+  if (newcomers_.come_by(terms)) return newcomers_.decided(terms, outcome);
   if (my_.phase != JointPhase::kLoading) return;
   if (outcome.kind == Kind::kFailed) {
     not_agreed(outcome.why);
@@ -202,7 +208,7 @@ void JointTask::not_agreed(const std::string& why) {
                             std::to_string(std::lround(time_.until().to_seconds())) +
                             " s: " + why});
   if (now() + Retries::kOftenest > time_.until())
-    not_loaded(why_too_late(my_, self_, interaction_.partners()));
+    not_loaded(why_too_late(my_, self_, interaction_));
 }
 
 void JointTask::not_loaded(const std::string& why) {
@@ -251,10 +257,15 @@ void JointTask::watch() {
 // whoever asks first; who knows nothing of roles that were agreed has lost its memory.
 void JointTask::invited(const interaction::Terms& terms) {
   if (terms.subject == my_.joint.subject + kRoles) {
-    const bool anew = roles_known_ && terms.opened > agreed_at_;
-    if (anew && is_to_begin(my_.phase)) load_again("'" + terms.opener + "' asks for roles anew");
-    return;
+    const bool anew = roles_known_ && terms.opened > agreed_at_ &&
+                      !newcomers_.is_from_before(terms.opener, terms.opened);
+    const std::string why = "'" + terms.opener + "' asks for roles anew";
+    if (anew && is_to_begin(my_.phase)) load_again(why);
+    const bool forgot = my_.phase == JointPhase::kRunning && companions_.counts_on(terms.opener);
+    if (anew && forgot) lost(terms.opener, why);
   }
+  if (newcomers_.come_by(terms)) return newcomers_.invited(terms, asked_);
+  if (terms.subject == my_.joint.subject + kRoles) return;
   if (terms.subject == my_.joint.subject + kStart) {
     const bool anew = roles_known_ && terms.opened > start_agreed_at_;
     const bool waits = my_.phase != JointPhase::kLoading || retries_.at();
@@ -264,7 +275,8 @@ void JointTask::invited(const interaction::Terms& terms) {
     return host_.bus().post([this] { interaction_.begin(my_.joint, start_session(my_.joint)); });
   }
   // Who has been lost here calls others than those who go on.
-  if (my_.phase != JointPhase::kRunning || !my_.holders.contains(terms.opener)) return;
+  if (my_.phase != JointPhase::kRunning || newcomers_.called(terms)) return;
+  if (!my_.holders.contains(terms.opener)) return;
   // Whom the others do not count on any more is lost here too.
   for (const auto& [uav, role] : Holders(my_.holders)) {
     const bool in = std::count(terms.members.begin(), terms.members.end(), uav) > 0;
@@ -287,7 +299,7 @@ void JointTask::time_passes() {
   }
   give_up_on_partners();
   if (my_.phase == JointPhase::kLoading && time_.until() <= now())
-    not_loaded(why_too_late(my_, self_, interaction_.partners()));
+    not_loaded(why_too_late(my_, self_, interaction_));
   begin_if_due();
   if (needs_partners(my_, play_))
     for (const auto& [uav, why] : companions_.lost(now())) lost(uav, why);
@@ -361,6 +373,7 @@ void JointTask::announce() {
   status.phase = my_.phase;
   status.why = my_.why;
   status.holders = my_.holders;
+  if (my_.phase == JointPhase::kRunning) status.holders.merge(newcomers_.awaited());
   play_.tell_of(status);
   if (needs_partners(my_, play_))
     for (interaction::Row& row : companions_.silent(now())) status.left.push_back(std::move(row));

@@ -10,6 +10,7 @@
 #include "interaction/joint_host.hpp"
 #include "interaction/joint_play.hpp"
 #include "interaction/loading_time.hpp"
+#include "interaction/newcomers.hpp"
 #include "interaction/retries.hpp"
 #include "interaction/sightings.hpp"
 #include "skein/decision_node/messages.hpp"
@@ -37,6 +38,9 @@ constexpr bool is_to_begin(interaction::JointPhase phase) {
 /// task loads, a member that is out of reach, or says that it takes no part, for a minute is left
 /// out if the model has a variant for the remaining members. Else one that is out of reach is
 /// waited for until it is given up (Partners); where it takes no part, the task is not loaded.
+///
+/// A member that holds no role and asks for the joint task while it runs may be taken in
+/// (Newcomers).
 ///
 /// A role whose flight gets no air is left, but once all partners have ended it ends where the
 /// vehicle is.
@@ -125,6 +129,7 @@ class JointTask {
   Membership my_;
   Companions companions_;
   JointPlay play_;
+  Newcomers newcomers_;
   bool dispatched_ = false;  ///< the executive has started it
   LoadingTime time_;
   MissionTime asked_at_;  ///< when it was loaded

@@ -20,6 +20,22 @@ bool is_active(ComponelState state) {
   return state == ComponelState::kRunning || state == ComponelState::kAborting;
 }
 
+bool names(const interaction::Formula& formula, const std::string& message) {
+  for (const interaction::Clause& clause : formula) {
+    for (const interaction::Literal& literal : clause) {
+      const auto* pending = std::get_if<interaction::MessagePending>(&literal.condition);
+      if (pending != nullptr && pending->message == message) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a condition of the componel, which may be a block, is about the message.
+bool refers_to(const interaction::Componel& one, const std::string& message) {
+  const interaction::Block* block = one.block();
+  return block != nullptr && (names(block->precondition, message) || names(block->exit, message));
+}
+
 }  // namespace
 
 RolePlay::RolePlay(const Joint& joint, std::string role, Holders holders, std::string self)
@@ -39,19 +55,26 @@ Result<interaction::Effects, Failure> RolePlay::tell(const interaction::Input& i
 }
 
 bool RolePlay::listens_to(const std::string& message) const {
-  const auto names = [&](const interaction::Formula& formula) {
-    for (const interaction::Clause& clause : formula) {
-      for (const interaction::Literal& literal : clause) {
-        const auto* pending = std::get_if<interaction::MessagePending>(&literal.condition);
-        if (pending != nullptr && pending->message == message) return true;
-      }
-    }
-    return false;
-  };
   const auto& all = automaton().componels();
-  return std::any_of(all.begin(), all.end(), [&](const interaction::Componel& one) {
-    return one.block() != nullptr && (names(one.block()->precondition) || names(one.block()->exit));
-  });
+  return std::ranges::any_of(all, [&](const auto& one) { return refers_to(one, message); });
+}
+
+// A block that is over begins anew with the loop around it.
+bool RolePlay::may_hear(const std::string& message) const {
+  const auto is_out = [&](ComponelIndex componel) {
+    const ComponelState state = engine_.state(componel);
+    return interaction::is_over(state) || state == ComponelState::kAborting;
+  };
+  for (ComponelIndex i = 0; i < automaton().size(); ++i) {
+    if (!refers_to(automaton()[i], message)) continue;
+    bool is_there = true;
+    for (ComponelIndex around = i; automaton()[around].parent != around;) {
+      around = automaton()[around].parent;
+      is_there = is_there && !is_out(around);
+    }
+    if (is_there) return true;
+  }
+  return false;
 }
 
 void RolePlay::forget_monitors_of_restarted(const interaction::Effects& effects) {

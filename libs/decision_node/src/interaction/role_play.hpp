@@ -30,6 +30,11 @@ class RolePlay {
   bool is_over() const { return engine_.is_over(); }
   /// Whether some condition of the role refers to this message.
   bool listens_to(const std::string& message) const;
+  /// The same, and it may still come true: no block around that condition is over. True before the
+  /// role comes there.
+  bool may_hear(const std::string& message) const;
+  /// `uav` holds this role from now on.
+  void take_in(const std::string& uav, const std::string& role) { holders_[uav] = role; }
   /// `uav` holds no role any more.
   void lose(const std::string& uav) { holders_.erase(uav); }
   const Holders& holders() const { return holders_; }

@@ -104,6 +104,16 @@ bool RoleTalks::decided(const interaction::Terms& terms,
   return roles_agreed(terms, outcome);
 }
 
+// What was promised is settled with whom it was promised to.
+void RoleTalks::lose() {
+  roles_stand_until_.reset();
+  for (const auto& [action, subject] : std::map(actions_)) {
+    if (!sharing_.asks(action)) continue;
+    interaction_.withdraw(subject, "somebody is lost");
+    sharing_.renew(now());
+  }
+}
+
 void RoleTalks::time_passes() {
   if (const auto action = sharing_.due(now())) share_area(*action);
   if (const auto action = places_.due(now())) negotiate_places(*action);

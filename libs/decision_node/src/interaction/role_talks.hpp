@@ -38,8 +38,9 @@ class RoleTalks {
   /// A session ended; true: the holders of roles are others now. Precondition: the outcome is known
   /// and the joint task runs.
   bool decided(const interaction::Terms& terms, const interaction::NegotiationOutcome& outcome);
-  /// Somebody is lost: that roles were confirmed counts no more.
-  void lose() { roles_stand_until_.reset(); }
+  /// Somebody is lost: that roles were confirmed counts no more, and what is being shared is shared
+  /// among those who are left.
+  void lose();
   /// Asks again what is due.
   void time_passes();
   std::optional<MissionTime> next_wakeup() const;

@@ -17,35 +17,6 @@ using executive::TaskState;
 constexpr Duration kHeard = Duration::milliseconds(5'000);  // then a partner is out of reach
 constexpr const char* kNotAllowed = "its model does not let the ground station play it";
 
-executive::Parameter parameter_of(const std::string& name, const mission::Argument& argument) {
-  executive::Parameter parameter{name, "", {}};
-  if (const auto* text = std::get_if<std::string>(&argument)) parameter.text = *text;
-  if (const auto* number = std::get_if<double>(&argument)) parameter.numbers = {*number};
-  if (const auto* at = std::get_if<world::Vector3>(&argument)) {
-    parameter.numbers = {at->x(), at->y(), at->z()};
-  }
-  if (const auto* names = std::get_if<std::vector<std::string>>(&argument)) {
-    parameter.text = joined(*names, " ");
-  }
-  return parameter;
-}
-
-/// As a planner would make it: arguments are those of the model's variants, in their order.
-mission::ElementaryTask elementary(const mission::HighLevelTask& task,
-                                   const interaction::Library& library) {
-  mission::ElementaryTask result;
-  result.id = executive::TaskId(task.id.value());
-  result.type = std::string(executive::kJointPrefix) + task.name;
-  result.time = task.time;
-  const auto model = library.models.find(task.name);
-  if (model == library.models.end()) return result;
-  const interaction::Parameters& wanted = model->second.variants.front().parameters;
-  for (std::size_t i = 0; i < std::min(wanted.size(), task.arguments.size()); ++i) {
-    result.parameters.add(parameter_of(wanted[i].name, task.arguments[i]));
-  }
-  return result;
-}
-
 /// From when on it may start, to when.
 mission::Interval start_of(const mission::HighLevelTask& task, MissionTime now) {
   const Duration from = std::max(now, task.time.start_after.value_or(now)) - MissionTime();
@@ -140,7 +111,7 @@ class StandIn::Host final : public JointHost {
   }
 
   void on(const PlayJointTask& play) {
-    const mission::ElementaryTask task = elementary(play.task, *config_.interaction);
+    const mission::ElementaryTask task = as_planned(play.task, *config_.interaction);
     if (!std::exchange(started_, true)) {
       partners_.start(bus_.now());
       interaction_.start();

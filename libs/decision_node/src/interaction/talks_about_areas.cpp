@@ -12,29 +12,41 @@ using Kind = interaction::NegotiationOutcome::Kind;
 using Word = interaction::Status::Word;
 
 // A session. In half of it each reckons the division, beside whatever its computer has to do.
+constexpr const char* kArea = "area";  // a parameter of a session
 constexpr Duration kSharing = Duration::milliseconds(120'000);
 
-// At first the area that the action names, then what is nobody's any more.
-std::vector<world::Polygon> areas_to_share(const AreaShare& share, const RolePlay& play,
-                                           const std::string& action, const world::World& world) {
-  if (share.agreed()) return share.nobodys();
+// At first the area that the action names, or what is left of it to those who are at it; then what
+// is nobody's any more.
+interaction::Rows what_to_share(const AreaShare& share, const RolePlay& play,
+                                const std::string& action, const world::World& world) {
+  const auto areas = [](const std::vector<world::Polygon>& polygons) {
+    interaction::Rows rows;
+    for (const world::Polygon& one : polygons) rows.push_back(interaction::row_of(kArea, one));
+    return rows;
+  };
+  if (share.agreed()) return areas(share.nobodys());
+  if (share.comes_later()) return share.remainders_of_others();
   const interaction::Automaton& automaton = play.automaton();
   const config::Value* named = automaton[*automaton.find(action)].action()->in.find("area");
   const auto zone = named == nullptr ? std::nullopt : zone_of(*named, play.scope(), world);
+  return zone ? areas({*zone}) : interaction::Rows{};
+}
+
+std::vector<world::Polygon> areas_in(const interaction::Rows& parameters) {
   std::vector<world::Polygon> areas;
-  if (zone) areas.push_back(*zone);
+  for (const interaction::Row& row : parameters)
+    if (row.name == kArea) areas.push_back(interaction::polygon_of(row));
   return areas;
 }
 
 }  // namespace
 
 void RoleTalks::share_area(const std::string& action) {
-  const std::vector<world::Polygon> areas =
-      areas_to_share(share_, course_.play(), action, *host_.world());
   interaction::BeginNegotiation begin = session(action, kAreaSharing, kSharing);
-  for (const world::Polygon& area : areas)
-    begin.parameters.push_back(interaction::row_of("area", area));
-  if (begin.members.size() == 1) {
+  begin.parameters = what_to_share(share_, course_.play(), action, *host_.world());
+  const std::vector<world::Polygon> areas = areas_in(begin.parameters);
+  begin.parameters.push_back({interaction::kDivisions, "", {double(share_.divisions())}});
+  if (begin.members.size() == 1 || (share_.comes_later() && areas.empty())) {
     sharing_.stop();
     share_.take(areas);
     return course_.tell_status(action, Word::kEnded);
@@ -59,7 +71,7 @@ void RoleTalks::area_shared(const interaction::Terms& terms,
                             const interaction::NegotiationOutcome& outcome) {
   const std::optional<std::string> action = action_about(terms.subject);
   if (outcome.kind == Kind::kAgreed) {
-    share_.agree(outcome.result);
+    share_.agree(outcome.result, terms.parameters);
     if (action) {
       actions_.erase(*action);
       sharing_.stop();

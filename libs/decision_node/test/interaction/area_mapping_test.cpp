@@ -51,6 +51,17 @@ TEST_F(FieldMapping, HasEndedWhereNothingIsLeft) {
   EXPECT_THAT(course_.given, SizeIs(2));
 }
 
+// Found by random missions (--sharing 118): the role was about to begin its loop anew, and was not
+// told once it had.
+TEST_F(FieldMapping, WhatHasNoOwnerIsSharedBeforeTheRoleIsDone) {
+  mapping_.share().agree({interaction::row_of("heliv", {{0, 0}, {100, 0}, {100, 200}, {0, 200}})});
+  mapping_.share().lose("heliv");
+
+  mapping_.map("sweep");
+
+  EXPECT_THAT(course_.told, ElementsAre("member lost", "sweep ended"));
+}
+
 TEST_F(FieldMapping, WhatIsFlownOverIsLeftNoMore) {
   takes_all();
   mapping_.map("sweep");
@@ -67,7 +78,7 @@ TEST_F(FieldMapping, WhatIsFlownOverIsLeftNoMore) {
   EXPECT_GT(mapping_.share().area_left(), 1000);
 }
 
-TEST_F(FieldMapping, OffersWhatItCanMapOnceItHoldsARole) { EXPECT_TRUE(mapping_.offer()); }
+TEST_F(FieldMapping, OffersWhatItCanMapOnceItHoldsARole) { EXPECT_TRUE(mapping_.offer({})); }
 
 }  // namespace
 }  // namespace skein::decision_node

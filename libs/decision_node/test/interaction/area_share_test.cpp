@@ -246,6 +246,125 @@ TEST(AreaShare, WhoIsLostTwiceLeavesBothOfItsParts) {
   EXPECT_THAT(share.nobodys(), SizeIs(2));
 }
 
+/// A session that shares anew what these told.
+interaction::Terms asked_by(const AreaShare& newcomer, const std::string& name) {
+  interaction::Terms terms;
+  terms.opener = name;
+  terms.parameters = newcomer.remainders_of_others();
+  return terms;
+}
+
+// Swift comes when wren has mapped a quarter of the whole.
+TEST(AreaShare, WhoComesLaterSharesWhatIsLeftToAll) {
+  AreaShare heron("heron"), wren("wren"), swift("swift");
+  for (AreaShare* one : {&heron, &wren}) one->agree(agreed(kWest, kEast));
+  EXPECT_FALSE(swift.comes_later());
+  swift.told("heron", heron.left());
+  swift.told("wren",
+             {{"round", "", {1}}, interaction::row_of("left", between(kEast, {1, 0}, 300, 400))});
+  ASSERT_TRUE(swift.comes_later());
+  const interaction::Terms terms = asked_by(swift, "swift");
+  double asked = 0;
+  for (const Row& row : terms.parameters)
+    if (row.name == "area") asked += world::area(interaction::polygon_of(row));
+  EXPECT_NEAR(asked, 40000 + 20000, 1e-6);
+
+  const Polygon north = between(kWest, {0, 1}, 100, 200), south = between(kWest, {0, 1}, 0, 100);
+  const Rows parts{interaction::row_of("heron", north), interaction::row_of("swift", south),
+                   interaction::row_of("wren", between(kEast, {1, 0}, 300, 400))};
+  for (AreaShare* one : {&heron, &wren, &swift}) one->agree(parts, terms.parameters);
+
+  EXPECT_NEAR(heron.area_left(), 20000, 1e-6) << "in its stead";
+  EXPECT_NEAR(wren.area_left(), 20000, 1e-6);
+  EXPECT_NEAR(swift.area_left(), 20000, 1e-6);
+  heron.told("swift", swift.left());
+  heron.lose("swift");
+  ASSERT_THAT(heron.nobodys(), SizeIs(1));
+  EXPECT_NEAR(world::area(heron.nobodys().front()), 20000, 1e-6);
+}
+
+TEST(AreaShare, WhoComesLaterSharesWhatOneHadLeftWhoIsLostMeanwhile) {
+  AreaShare swift("swift");
+  for (const char* name : {"heron", "wren"}) {
+    AreaShare there(name);
+    there.agree(agreed(kWest, kEast));
+    swift.told(name, there.left());
+  }
+
+  swift.lose("wren");
+
+  const Rows rows = swift.remainders_of_others();
+  double area = 0;
+  for (const Row& row : rows) {
+    if (row.name == "area") area += world::area(interaction::polygon_of(row));
+    if (row.name == interaction::kAnew) EXPECT_EQ(row.text, "heron") << "wren offers nothing";
+  }
+  EXPECT_NEAR(area, 80000, 1e-6);
+}
+
+TEST(AreaShare, WhatIsSharedAnewIsOfferedAsIfItHadNone) {
+  AreaShare heron("heron"), swift("swift");
+  heron.agree(agreed(kWest, kEast));
+  heron.take_in("swift");
+  swift.told("heron", heron.left());
+
+  const auto offer = heron.offer(asked_by(swift, "swift"), setting_at({-50, -20, 60}));
+
+  ASSERT_TRUE(offer) << offer.error().why;
+  const auto sweeper = interaction::sweeper_of(*offer);
+  ASSERT_TRUE(sweeper);
+  EXPECT_EQ(sweeper->busy, 0);
+  EXPECT_EQ(sweeper->start, Vector2(-50, -20));
+}
+
+TEST(AreaShare, WhatIsNotAsItIsIsNotSharedAnew) {
+  AreaShare heron("heron"), swift("swift");
+  heron.agree(agreed(kWest, kEast));
+  heron.take_in("swift");
+  const SweepSetting setting = setting_at({-50, -20, 60});
+
+  const auto unknown = heron.offer(asked_by(swift, "swift"), setting);
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().why, "'swift' does not know yet what it has left");
+
+  swift.told("heron", heron.left());
+  heron.lose("wren");
+  heron.take(heron.nobodys());
+  const auto old = heron.offer(asked_by(swift, "swift"), setting);
+  ASSERT_FALSE(old);
+  EXPECT_EQ(old.error().why, "what it has left was shared since");
+}
+
+// A session without it was under way.
+TEST(AreaShare, ADivisionHasTheSameNumberForWhoHasSeenNoneBefore) {
+  AreaShare heron("heron"), swift("swift");
+  heron.agree(agreed(kWest, kEast));
+  heron.lose("wren");
+  const Rows parameters{{interaction::kDivisions, "", {1}}};
+  for (AreaShare* one : {&heron, &swift})
+    one->agree({interaction::row_of("swift", kEast)}, parameters);
+
+  EXPECT_EQ(heron.divisions(), 2);
+  EXPECT_EQ(swift.divisions(), 2);
+}
+
+// Found by random missions (--sharing 83): two that never heard each other map all of it.
+TEST(AreaShare, OfTwoThatEachTookAllBeforeItWasSharedOneYieldsAll) {
+  AreaShare heron("heron"), wren("wren");
+  heron.lose("wren");
+  heron.take({kWest, kEast});
+  wren.lose("heron");
+  wren.take({kWest, kEast});
+  const auto way = heron.set_out(setting_at({-50, -20, 60}));
+  ASSERT_TRUE(way);
+  for (std::size_t i = 0; 2 * i < way->size(); ++i) heron.fly((*way)[i], 5);
+  ASSERT_LT(heron.area_left(), 70000);
+
+  EXPECT_TRUE(wren.yield_to("heron", heron.left()));
+
+  EXPECT_EQ(wren.area_left(), 0) << "what heron has mapped is mapped";
+}
+
 TEST(AreaShare, TheLastWhoIsThereTakesAll) {
   AreaShare share("heron");
   share.agree(agreed(kWest, kEast));
@@ -259,9 +378,9 @@ TEST(AreaShare, TheLastWhoIsThereTakesAll) {
 
 TEST(AreaShare, AnOfferSaysWhatItCanDoAndHowLongItIsBusy) {
   AreaShare share("heron");
-  const auto free = share.offer(setting_at({-50, -20, 60}));
+  const auto free = share.offer({}, setting_at({-50, -20, 60}));
   share.agree(agreed(kWest, kEast));
-  const auto busy = share.offer(setting_at({-50, -20, 60}));
+  const auto busy = share.offer({}, setting_at({-50, -20, 60}));
 
   ASSERT_TRUE(free && busy);
   const auto first = interaction::sweeper_of(*free), then = interaction::sweeper_of(*busy);
@@ -280,7 +399,8 @@ TEST(AreaShare, WhoHasNoEnergyOrNoDeviceOffersNothing) {
   SweepSetting blind = setting_at({-50, -20, 60});
   blind.device = "radar";
 
-  const auto spent = share.offer(setting_at({-50, -20, 60}, 0.05)), unseeing = share.offer(blind);
+  const auto spent = share.offer({}, setting_at({-50, -20, 60}, 0.05)),
+             unseeing = share.offer({}, blind);
 
   ASSERT_FALSE(spent);
   EXPECT_EQ(spent.error().why, "it has no energy for more");

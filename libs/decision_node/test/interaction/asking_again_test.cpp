@@ -41,6 +41,17 @@ TEST_F(Asking, HoweverOftenItIsAskedThePatienceIsTheSame) {
   EXPECT_FALSE(asking.lasts(after(30)));
 }
 
+TEST_F(Asking, UnderOtherCircumstancesThePatienceIsWhatItWasAtFirst) {
+  asking.renew(after(20));
+  EXPECT_TRUE(asking.lasts(after(49.9)));
+  EXPECT_FALSE(asking.lasts(after(50)));
+
+  AskingAgain nothing(Duration::seconds(30));
+  nothing.renew(after(20));
+  EXPECT_EQ(nothing.next(), std::nullopt);
+  EXPECT_FALSE(nothing.asks("divide"));
+}
+
 TEST_F(Asking, AnActionInPlaceOfAnotherGoesOnWithItsPatience) {
   asking.ask("keep", after(20));
   EXPECT_TRUE(asking.asks("keep"));

@@ -133,6 +133,19 @@ TEST_F(AgreedOnRoles, WhoIsNoMemberAsksForNothingAndIsNamed) {
   }
 }
 
+// Found by an outsider: both goals failed with "half the time is over without an offer".
+TEST_F(AgreedOnRoles, WhoAsksForTheSameWithOtherValuesIsNamedWithWhatDiffersOnce) {
+  std::vector<std::string> named;
+  for (const double opened : {11.5, 11.6}) {
+    SessionMessage message = invitation("heliv", {"heliv", "marvin"}, MissionTime::seconds(opened));
+    message.terms.subject = "watching(fire 0,0,5 90) of heliv, marvin/roles";
+    for (const std::string& notice : notices(give(message))) named.push_back(notice);
+  }
+
+  EXPECT_THAT(named,
+              ElementsAre(watching().subject + ": 'heliv' asks for it with duration 90, not 60"));
+}
+
 TEST_F(AgreedOnRoles, OfSessionsWithoutEndSoManyAreHeardAndTheRestIsCountedAndNamedOnce) {
   std::vector<std::string> named;
   for (int i = 0; i < 2000; ++i) {

@@ -60,6 +60,19 @@ TEST(Joint, AParameterOfAnotherTypeIsRefused) {
   EXPECT_EQ(why_not(task), "parameter 'duration' is not a number");
 }
 
+TEST(Joint, OtherValuesOfTheSameAreNamed) {
+  const Joint joint = testing::joint("marvin");
+
+  EXPECT_EQ(difference(joint, "watching(fire 0,0,5 90) of heliv, marvin"), "duration 90, not 60");
+  EXPECT_THAT(difference(joint, "watching(fire 1,0,5 90) of heliv, marvin").value_or(""),
+              HasSubstr("; duration 90, not 60"));
+  for (const char* other :
+       {"watching(fire 0,0,5 60) of heliv, marvin", "watching(lake 0,0,5 90) of heliv, marvin",
+        "watching(fire 0,0,5 90) of heliv, karma", "lifting(fire 0,0,5 90) of heliv, marvin",
+        "watching(fire 90) of heliv, marvin", "watching() of heliv, marvin", "watching(", ""})
+    EXPECT_EQ(difference(joint, other), std::nullopt) << other;
+}
+
 TEST(Joint, AmongFewerIsInTheVariantForSoManyAndMeansTheSame) {
   auto library = std::make_shared<interaction::Library>(*testing::watching_library());
   auto& variants = library->models.at("watching").variants;

@@ -167,6 +167,23 @@ TEST_F(ScoutsTalk, RolesDoNotStandOnceSomebodyIsLost) {
   EXPECT_GT(said(), 0U);
 }
 
+// Found by random missions (--sharing 70): the session with who is lost lasted until nobody had any
+// patience left.
+TEST_F(ScoutsTalk, WhatIsBeingSharedIsSharedAmongThoseWhoAreLeftOnceSomebodyIsLost) {
+  talks_.negotiate("divide");
+  course_.at(230);
+  course_.my.holders.erase("heliv");
+  talks_.lose();
+  (void)decided(kAreaSharing, Kind::kFailed);
+
+  ASSERT_EQ(talks_.next_wakeup(), MissionTime::seconds(231));
+  course_.at(245);
+  talks_.time_passes();
+
+  EXPECT_THAT(course_.told, ElementsAre("divide ended"));
+  EXPECT_NEAR(share_.area_left(), 200 * 200, 1) << "alone";
+}
+
 TEST_F(ScoutsTalk, RolesThatAreNotAgreedOnAbortTheAction) {
   talks_.negotiate("swap");
 

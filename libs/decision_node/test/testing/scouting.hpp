@@ -40,6 +40,9 @@ roles:
         - {action: keep, modality: area-sharing, in: {area: area}}
         - {action: swap, modality: role-allocation}
         - {action: haggle, modality: task-auction}
+        - block: s11
+          pre: [[{message: area-sharing invitation}]]
+          content: [{action: divide-again, modality: area-sharing, in: {area: area}}]
   spare:
     needs: [hovering]
     parameters: {vehicle: Obj}
@@ -61,6 +64,7 @@ models:
           actions:
             - {role: scout, action: divide, with: scout, target: divide, who: everyone}
             - {role: scout, action: divide-the-whole-field, with: scout, target: divide-the-whole-field, who: everyone}
+            - {role: scout, action: divide-again, with: scout, target: divide-again, who: everyone}
             - {role: scout, action: swap, with: scout, target: swap, who: everyone}
             - {role: scout, action: keep, with: spare, target: keep, who: everyone}
             - {role: spare, action: keep, with: scout, target: keep, who: everyone}

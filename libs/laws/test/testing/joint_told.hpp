@@ -159,6 +159,11 @@ class Told {
     airborne_ = true;
     return *this;
   }
+  /// From when on it has nothing to do but the joint task.
+  Told& due(double at, const std::string& uav) {
+    due_[uav] = at;
+    return *this;
+  }
   Told& dies(const std::string& uav, double from, double until) {
     away_[uav].emplace_back(from, until);
     return *this;
@@ -184,6 +189,11 @@ class Told {
       Uav& uav = history.uavs[spec.name];
       uav.spec = &spec;
       uav.goal_of[7] = 70;
+      uav.degrees = {{0, 4}};
+      if (due_.contains(spec.name)) {
+        uav.executions[7].started = due_.at(spec.name);
+        uav.executions[7].type = "joint:watching";
+      }
       if (activities_.contains(spec.name)) uav.activities = activities_.at(spec.name);
       if (goals_.contains(spec.name)) uav.goals[70] = goals_.at(spec.name);
       const auto at = at_.find(spec.name);
@@ -222,6 +232,7 @@ class Told {
   std::map<std::string, std::vector<Activity>> activities_;
   std::map<std::string, Goal> goals_;
   std::map<std::string, std::vector<std::pair<double, world::Vector3>>> at_;
+  std::map<std::string, double> due_;
   bool airborne_ = false;
   std::vector<ObjectTold> seen_;
   std::map<std::string, std::vector<std::pair<double, double>>> away_;

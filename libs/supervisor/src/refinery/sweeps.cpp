@@ -242,7 +242,7 @@ Answer<Sweeps::Lanes> Sweeps::best(const Counted& air, const Vector3& from, cons
   Lanes best;
   std::string why = "nothing of it would be seen";
   for (const bool joins : {false, true}) {
-    if (joins && (best.seen >= kSeenEnough || swings_ || !vehicle().hovers)) break;
+    if (joins && (best.seen >= (swings_ ? kSeenMost : kSeenEnough) || !vehicle().hovers)) break;
     for (const double overlap :
          swings_ ? std::vector{kSharedOverlap, 4.0} : std::vector{1.0, 2.0, 3.0, 4.0}) {
       auto lanes = planned(local, from, zone, device, {overlap, joins});

@@ -20,8 +20,8 @@ class Sweeps {
  public:
   Sweeps(TimedAir& air, const Ways& ways) : air_(air), ways_(ways) {}
 
-  /// For parts of a shared area, whose lanes are agreed: a vehicle that hovers gets no extra
-  /// way-points that lead it back on a lane after it swung out.
+  /// For parts of a shared area, whose lanes are agreed: a vehicle that hovers gets extra way-points
+  /// that lead it back on a lane after it swung out only where much would not be seen without them.
   void let_swing() { swings_ = true; }
 
   /// The sweep from its first lane on, including the turn into that lane, but not the way to it;

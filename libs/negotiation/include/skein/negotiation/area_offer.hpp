@@ -12,6 +12,12 @@
 
 namespace skein::interaction {
 
+/// Names of parameters of a session, beside the areas: after how many divisions it is (at most one;
+/// 0 without it); what the member in its text has left is shared anew, as it was after so many.
+inline constexpr const char* kDivisions = "divisions";
+inline constexpr const char* kAnew = "anew";
+inline constexpr int kMostDivisions = 1'000'000;
+
 /// A UAV that offers to sweep a part of an area, and its starting point.
 struct Sweeper {
   world::VehicleModel vehicle;                    ///< the figures that a sweep depends on

@@ -230,6 +230,8 @@ class Supervisor {
   /// Whether the task is of the plan and over, as far as is known here: it ended, or another
   /// executive did not give it back in time. Nobody is to begin it any more.
   bool has_given_up(executive::TaskId task) const;
+  /// Absent: no such goal is known.
+  std::optional<mission::HighLevelTask> goal(mission::GoalId id) const;
 
  private:
   class Core;

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interaction/newcomers.hpp"
+
+#include <algorithm>
+
+#include "interaction/interaction.hpp"
+#include "interaction/loading_talks.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using Kind = interaction::NegotiationOutcome::Kind;
+
+/// Who cannot begin within that asks again when it can.
+constexpr Duration kBeginsWithin = Duration::milliseconds(60'000);
+constexpr const char* kInvitation = "area-sharing invitation";
+
+bool is_about_roles(const interaction::Terms& terms) { return terms.subject.ends_with(kRoles); }
+
+}  // namespace
+
+Newcomers::Newcomers(const PlaySurroundings& of, JointPlay& play, Companions& companions)
+    : host_(of.host),
+      interaction_(of.interaction),
+      task_(of.task),
+      my_(of.my),
+      self_(of.host.config().uav),
+      play_(play),
+      companions_(companions) {}
+
+std::vector<std::string> Newcomers::in(const interaction::Terms& terms) const {
+  std::vector<std::string> all;
+  for (const std::string& uav : terms.members)
+    if (!my_.holders.contains(uav)) all.push_back(uav);
+  return all;
+}
+
+bool Newcomers::come_by(const interaction::Terms& terms) const {
+  const bool loads = is_about_roles(terms) || terms.subject.ends_with(kStart);
+  return my_.phase == interaction::JointPhase::kRunning && loads && !in(terms).empty();
+}
+
+// Who calls others than those who are at it knows less than these do.
+void Newcomers::invited(const interaction::Terms& terms, const Joint& asked) {
+  const bool calls_all = std::ranges::all_of(my_.holders, [&](const auto& one) {
+    return std::ranges::count(terms.members, one.first) > 0;
+  });
+  if (!calls_all) return;
+  host_.bus().post([this, terms, asked] {
+    auto session = is_about_roles(terms) ? roles_session(asked) : start_session(asked);
+    session.members = terms.members;
+    (void)interaction_.begin(asked, std::move(session));
+  });
+}
+
+bool Newcomers::called(const interaction::Terms& terms) {
+  const auto agreed = agreed_.find(terms.opener);
+  if (agreed == agreed_.end()) return false;
+  agreed->second.call = terms.modality + " invitation";
+  return true;
+}
+
+Result<interaction::Rows, Failure> Newcomers::offer_for(const interaction::Terms& terms) const {
+  if (!play_.may_be_called(kInvitation))
+    return failure("it is at it, and takes nobody in any more");
+  if (is_about_roles(terms)) return interaction::Rows{{my_.holders.at(self_), "", {0}}};
+  for (const std::string& uav : in(terms))
+    if (!agreed_.contains(uav)) return failure("'" + uav + "' has no role");
+  const Duration now = host_.bus().now() - MissionTime();
+  return offer_of_start({{now, now + kBeginsWithin}}, {});
+}
+
+void Newcomers::decided(const interaction::Terms& terms,
+                        const interaction::NegotiationOutcome& outcome) {
+  if (outcome.kind != Kind::kAgreed) return;
+  const std::vector<std::string> newcomers = in(terms);
+  if (!is_about_roles(terms)) {
+    for (const std::string& uav : newcomers)
+      if (const auto agreed = agreed_.extract(uav)) take_in(uav, agreed.mapped());
+    return;
+  }
+  for (const interaction::Row& row : outcome.result)
+    if (std::ranges::count(newcomers, row.name) > 0)
+      agreed_[row.name] = {row.text, to_text(terms.id()), host_.bus().now()};
+}
+
+// In vain, if they are not heard of again.
+Holders Newcomers::awaited() const {
+  Holders all;
+  for (const auto& [uav, agreed] : agreed_)
+    if (host_.bus().now() < agreed.at + kBeginsWithin) all[uav] = agreed.role;
+  return all;
+}
+
+void Newcomers::take_in(const std::string& uav, const Agreed& agreed) {
+  taken_in_[uav] = host_.bus().now();
+  my_.holders[uav] = agreed.role;
+  my_.allocation = agreed.allocation;
+  companions_.begin_anew(uav);
+  play_.take_in(uav, agreed.role);
+  if (agreed.call) play_.tell(interaction::Message{*agreed.call});
+  host_.bus().emit(Notice{my_.joint.subject + ": '" + uav + "' takes part again"});
+  task_.announce();
+}
+
+bool Newcomers::is_from_before(const std::string& uav, MissionTime at) const {
+  const auto since = taken_in_.find(uav);
+  return since != taken_in_.end() && at <= since->second;
+}
+
+}  // namespace skein::decision_node

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who asks for a joint task that others map an area in takes part in it.
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "checks.hpp"
+#include "joint_places.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+/// Until it has asked once more, and all have agreed with it.
+constexpr double kAgreed = 90;  // [s]
+
+/// A time in which a UAV had nothing to do but a joint task that had not begun.
+struct Wait {
+  std::string uav, joint;
+  double from = 0, until = kNever;
+};
+
+std::optional<Wait> wait_for(const History& history, const JointTold& told) {
+  const Uav& uav = history.uavs.at(told.uav);
+  const auto due = uav.executions.find(told.task);
+  if (due == uav.executions.end() || due->second.started == kNever) return std::nullopt;
+  Wait wait{told.uav, told.joint, due->second.started, std::min(due->second.over, history.end)};
+  for (const JointTold::Phase& phase : told.phases) {
+    const bool waits = phase.phase == "loading" || phase.phase == "loaded";
+    if (!waits && phase.at >= wait.from) wait.until = std::min(wait.until, phase.at);
+  }
+  return wait;
+}
+
+/// Until when a UAV looks at the area of a joint task.
+double looks_until(const History& history, const Held& held) {
+  double until = 0;
+  const Uav& uav = history.uavs.at(held.uav);
+  for (const RoleTaskTold& task : history.joint.tasks) {
+    if (task.joint != held.joint || task.uav != held.uav) continue;
+    for (const Activity& look : uav.activities)
+      if (look.task == task.task && look.looks()) until = std::max(until, look.until);
+  }
+  return std::min(until, held.until);
+}
+
+struct Span {
+  double from = 0, until = 0;
+};
+
+/// In which another one looks at the area while it waits.
+Span longest_beside(const History& history, const std::vector<Held>& all, const Wait& wait) {
+  Span longest;
+  for (const Held& held : all) {
+    if (held.joint != wait.joint || held.uav == wait.uav) continue;
+    const Span span{std::max(held.from, wait.from),
+                    std::min(looks_until(history, held), wait.until)};
+    if (span.until - span.from > longest.until - longest.from) longest = span;
+  }
+  return longest;
+}
+
+/// Both decide and hear each other, and neither dies, in all of that time.
+bool could_agree(const History& history, const std::string& one, const std::string& other,
+                 const Span& span) {
+  const auto [from, until] = span;
+  for (const std::string& uav : {one, other}) {
+    if (!history.uavs.at(uav).deliberates(from, until)) return false;
+    if (history.was_away(uav, from, until) || history.was_killed(uav)) return false;
+  }
+  return history.joint.up(one, other, from, until) && history.joint.up(other, one, from, until);
+}
+
+}  // namespace
+
+// Others who hold a role are to agree, too: it is judged only while it hears them all.
+std::vector<Violation> newcomers_left_out(const History& history) {
+  std::vector<Violation> result;
+  const std::vector<Held> all = roles_held(history.joint);
+  for (const JointTold& told : history.joint.joints) {
+    const auto wait = wait_for(history, told);
+    const interaction::Variant* variant = variant_of(history, told);
+    if (!wait || variant == nullptr || shared_areas(history, *variant).empty()) continue;
+    const Span span = longest_beside(history, all, *wait);
+    if (span.until - span.from <= kAgreed) continue;
+    const bool hears_all = std::ranges::all_of(all, [&](const Held& held) {
+      const bool is_there = held.joint == wait->joint && held.uav != wait->uav &&
+                            held.from < span.until && held.until > span.from;
+      return !is_there || could_agree(history, held.uav, wait->uav, span);
+    });
+    if (!hears_all) continue;
+    result.push_back({"", span.until, wait->uav, 0,
+                      told.joint + " goes on without it for " + figure(span.until - span.from) +
+                          " s, though it waits for it and hears all who are at it"});
+  }
+  return result;
+}
+
+}  // namespace skein::laws
