@@ -49,13 +49,20 @@ std::optional<double> silent_since(const History& history, const Uav& uav,
   return since < at ? std::optional(since) : std::nullopt;
 }
 
-/// When the partner was last heard for long enough to be noticed, which takes its time past relays.
+/// When the partner, while it lived, was last heard for long enough to be noticed, which takes its
+/// time past relays.
 double noticed_last(const History& history, const Uav& uav, const std::string& partner, double at) {
   const double past_relays = HealingLimits().rerouting.to_seconds();
-  const double alive = alive_until(history, partner, at);
-  return std::max(
-      history.joint.last_reached(partner, uav.name(), {}, alive, kNoticed),
-      history.joint.last_reached(partner, uav.name(), relays_of(history), alive, past_relays));
+  const auto reached = [&](double before) {
+    return std::max(
+        history.joint.last_reached(partner, uav.name(), {}, before, kNoticed),
+        history.joint.last_reached(partner, uav.name(), relays_of(history), before, past_relays));
+  };
+  for (double alive = alive_until(history, partner, at);;) {
+    const double heard = reached(alive), lived = alive_until(history, partner, heard);
+    if (lived == heard) return heard;
+    alive = lived;
+  }
 }
 
 bool may_wait(const Execution& one) {

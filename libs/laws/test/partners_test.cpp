@@ -158,6 +158,15 @@ TEST(ReasonsLaw, WhoDiedOutOfReachWasHeardBeforeThat) {
   EXPECT_THAT(up_at(60), ElementsAre(HasSubstr("until 90.0 s")));
 }
 
+// Found by random missions (--sharing --deaths 131): the link to it was lost while it was dead.
+TEST(ReasonsLaw, WhoLivesAgainOutOfReachWasHeardBeforeItDied) {
+  const Story dead =
+      given_up(" since 52 s").fault(50, "kill", "heliv").fault(600, "resume", "heliv");
+  EXPECT_THAT(Story(dead).link(400, "heliv", "marvin", false).broken("reasons"), IsEmpty());
+  EXPECT_THAT(Story(dead).link(700, "heliv", "marvin", false).broken("reasons"),
+              ElementsAre(HasSubstr("until 700.0 s")));
+}
+
 // Found by random missions (--partners --merged 982020): it came back while the plan without it was
 // made.
 TEST(ReasonsLaw, WhoIsGivenUpMayHaveJustComeBack) {

@@ -101,8 +101,15 @@ TEST(RandomMissions, UavsWhosePartnersStayAwayKeepTheLaws) {
 
 // Areas mapped together, one or two, with work before and after them.
 TEST(RandomMissions, UavsThatMapTogetherKeepTheLawsAndAchieveAll) {
-  constexpr int kMissions = 12;  // what more of them find is open: docs/performance/robustness.md
-  EXPECT_EQ(breaches(kClean, kMissions, generate_sharing), "");
+  EXPECT_EQ(breaches(kClean, missions() / 5, generate_sharing), "");
+}
+
+// One of them leaves, comes late, is cut off or dies, and may come back to it.
+TEST(RandomMissions, UavsThatMapTogetherWithoutOneForAWhileKeepTheLaws) {
+  Kinds deaths;
+  deaths.deaths = true;
+  EXPECT_EQ(breaches({}, missions() / 10, generate_sharing), "");
+  EXPECT_EQ(breaches(deaths, missions() / 10, generate_sharing), "");
 }
 
 // However plans are kept consistent, dates are foretold and kept.

@@ -238,14 +238,25 @@ void AreaShare::told(const std::string& uav, const Rows& left) {
   if (theirs != others_.end() && *round >= round_) theirs->second = named(left, kLeft, "");
 }
 
-Rows AreaShare::remainders_of_others() const {
+Rows AreaShare::to_share() const {
   Rows rows;
+  const auto share = [&](const std::vector<Polygon>& areas) {
+    for (const Polygon& area : areas) rows.push_back(interaction::row_of(kArea, area));
+  };
+  const auto anew = [&](const std::string& uav, int round, const std::vector<Polygon>& left) {
+    rows.push_back({interaction::kAnew, uav, {static_cast<double>(round)}});
+    share(left);
+  };
   for (const auto& [uav, left] : there_) {
-    const bool is_there = !lost_.contains(uav);  // else what it had left is nobody's
-    if (is_there) rows.push_back({interaction::kAnew, uav, {static_cast<double>(*round_of(left))}});
-    for (const Polygon& area : named(left, kLeft, ""))
-      rows.push_back(interaction::row_of(kArea, area));
+    if (lost_.contains(uav))
+      share(named(left, kLeft, ""));
+    else
+      anew(uav, *round_of(left), named(left, kLeft, ""));
   }
+  share(nobodys());
+  if (newcomers_.empty() || !agreed()) return rows;
+  anew(self_, round_, own_left());
+  for (const auto& [uav, left] : others_) anew(uav, round_, left);
   return rows;
 }
 

@@ -55,8 +55,9 @@ class AreaShare {
   void told(const std::string& uav, const interaction::Rows& left);
   /// Whether this member comes to partners that have shared the area.
   bool comes_later() const { return !there_.empty(); }
-  /// The parameters of a session that shares anew what they have left.
-  interaction::Rows remainders_of_others() const;
+  /// The parameters of the next session, without the number of divisions: what nobody has; and, if
+  /// somebody comes to those who have shared the area, all that these have left.
+  interaction::Rows to_share() const;
   /// A member holds a role from now on that held none: all share anew what they have left once it
   /// asks them to.
   void take_in(const std::string& uav) { newcomers_.insert(uav); }

@@ -69,7 +69,10 @@ void JointTask::partner_told(const interaction::JointTaskStatus& status, Mission
   if (status.phase == JointPhase::kLoading) time_.engage(status.uav, status.agreed_start, now());
   // What it said before the roles were agreed is about an attempt before this one.
   if (!roles_known_ || at <= agreed_at_ || newcomers_.is_from_before(status.uav, at)) return;
-  if (status.phase == JointPhase::kEnded) companions_.has_ended(status.uav);
+  const bool has_ended = status.phase == JointPhase::kEnded;
+  if (has_ended) companions_.has_ended(status.uav);
+  if (has_ended && my_.phase == JointPhase::kRunning && companions_.all_have_ended())
+    play_.meet_nobody();
   companions_.told(status);
   const bool does_without = status.phase == JointPhase::kRunning && !status.holders.empty() &&
                             !status.holders.contains(self_);

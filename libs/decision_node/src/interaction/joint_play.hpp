@@ -46,6 +46,8 @@ class JointPlay final : private RoleCourse {
   void lose(const std::string& uav);
   /// Whether a condition of the role may still come true by this message.
   bool may_be_called(const std::string& message) const;
+  /// All others are through: it meets nobody any more.
+  void meet_nobody();
   void take_in(const std::string& uav, const std::string& role);
   /// Begins such tasks that are under way anew: meetings without those who hold no role any more,
   /// mappings over what is left of the own part.

@@ -64,7 +64,7 @@ JointTask::JointTask(JointHost& host, Interaction& interaction, Joint joint,
       my_{std::move(joint)},
       companions_(host.partners(), my_, self_),
       play_({host, interaction, sightings, *this, my_}),
-      newcomers_({host, interaction, sightings, *this, my_}, play_, companions_) {}
+      newcomers_({host, interaction, sightings, *this, my_}, asked_, play_, companions_) {}
 
 MissionTime JointTask::now() const { return host_.bus().now(); }
 
@@ -264,7 +264,7 @@ void JointTask::invited(const interaction::Terms& terms) {
     const bool forgot = my_.phase == JointPhase::kRunning && companions_.counts_on(terms.opener);
     if (anew && forgot) lost(terms.opener, why);
   }
-  if (newcomers_.come_by(terms)) return newcomers_.invited(terms, asked_);
+  if (newcomers_.come_by(terms)) return newcomers_.invited(terms);
   if (terms.subject == my_.joint.subject + kRoles) return;
   if (terms.subject == my_.joint.subject + kStart) {
     const bool anew = roles_known_ && terms.opened > start_agreed_at_;

@@ -20,11 +20,13 @@ bool is_about_roles(const interaction::Terms& terms) { return terms.subject.ends
 
 }  // namespace
 
-Newcomers::Newcomers(const PlaySurroundings& of, JointPlay& play, Companions& companions)
+Newcomers::Newcomers(const PlaySurroundings& of, const Joint& asked, JointPlay& play,
+                     Companions& companions)
     : host_(of.host),
       interaction_(of.interaction),
       task_(of.task),
       my_(of.my),
+      asked_(asked),
       self_(of.host.config().uav),
       play_(play),
       companions_(companions) {}
@@ -41,16 +43,26 @@ bool Newcomers::come_by(const interaction::Terms& terms) const {
   return my_.phase == interaction::JointPhase::kRunning && loads && !in(terms).empty();
 }
 
+std::optional<Joint> Newcomers::with(const std::vector<std::string>& newcomers) const {
+  std::vector<std::string> members = newcomers;
+  for (const auto& [uav, role] : my_.holders) members.push_back(uav);
+  std::sort(members.begin(), members.end());
+  auto joint = among(asked_, members);
+  if (!joint || joint->variant != my_.joint.variant) return std::nullopt;
+  joint->task = my_.joint.task;
+  return joint;
+}
+
 // Who calls others than those who are at it knows less than these do.
-void Newcomers::invited(const interaction::Terms& terms, const Joint& asked) {
+void Newcomers::invited(const interaction::Terms& terms) {
   const bool calls_all = std::ranges::all_of(my_.holders, [&](const auto& one) {
     return std::ranges::count(terms.members, one.first) > 0;
   });
   if (!calls_all) return;
-  host_.bus().post([this, terms, asked] {
-    auto session = is_about_roles(terms) ? roles_session(asked) : start_session(asked);
+  host_.bus().post([this, terms] {
+    auto session = is_about_roles(terms) ? roles_session(asked_) : start_session(asked_);
     session.members = terms.members;
-    (void)interaction_.begin(asked, std::move(session));
+    (void)interaction_.begin(asked_, std::move(session));
   });
 }
 
@@ -64,6 +76,7 @@ bool Newcomers::called(const interaction::Terms& terms) {
 Result<interaction::Rows, Failure> Newcomers::offer_for(const interaction::Terms& terms) const {
   if (!play_.may_be_called(kInvitation))
     return failure("it is at it, and takes nobody in any more");
+  if (!with(in(terms))) return failure("it is at it, in a variant for as many as there are");
   if (is_about_roles(terms)) return interaction::Rows{{my_.holders.at(self_), "", {0}}};
   for (const std::string& uav : in(terms))
     if (!agreed_.contains(uav)) return failure("'" + uav + "' has no role");
@@ -94,6 +107,9 @@ Holders Newcomers::awaited() const {
 }
 
 void Newcomers::take_in(const std::string& uav, const Agreed& agreed) {
+  auto joint = with({uav});
+  if (!joint) return;  // somebody was lost since
+  my_.joint = std::move(*joint);
   taken_in_[uav] = host_.bus().now();
   my_.holders[uav] = agreed.role;
   my_.allocation = agreed.allocation;

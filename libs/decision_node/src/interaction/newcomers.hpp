@@ -21,13 +21,15 @@ namespace skein::decision_node {
 class Newcomers {
  public:
   /// References that must outlive it.
-  Newcomers(const PlaySurroundings& of, JointPlay& play, Companions& companions);
+  /// `asked`: with all members that were asked.
+  Newcomers(const PlaySurroundings& of, const Joint& asked, JointPlay& play,
+            Companions& companions);
 
   /// Whether a session is about the role, or the start, of such a member.
   bool come_by(const interaction::Terms& terms) const;
   // Precondition of invited(), offer_for() and decided(): they come by it.
   /// Somebody opened the session.
-  void invited(const interaction::Terms& terms, const Joint& asked);
+  void invited(const interaction::Terms& terms);
   /// Somebody opened a session that the roles negotiate in flight; true: it is one who is awaited,
   /// and heard once it is taken in.
   bool called(const interaction::Terms& terms);
@@ -46,12 +48,15 @@ class Newcomers {
   };
   /// Members of a session that hold no role.
   std::vector<std::string> in(const interaction::Terms& terms) const;
+  /// The joint task among those who play and these; absent: they would be in another variant.
+  std::optional<Joint> with(const std::vector<std::string>& newcomers) const;
   void take_in(const std::string& uav, const Agreed& agreed);
 
   JointHost& host_;
   Interaction& interaction_;
   JointTask& task_;
   Membership& my_;
+  const Joint& asked_;
   const std::string& self_;
   JointPlay& play_;
   Companions& companions_;

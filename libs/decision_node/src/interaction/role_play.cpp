@@ -77,6 +77,12 @@ bool RolePlay::may_hear(const std::string& message) const {
   return false;
 }
 
+// Lists of the members among its parameters have it too.
+void RolePlay::take_in(const std::string& uav, const std::string& role) {
+  holders_[uav] = role;
+  for (auto& [name, value] : arguments_of(joint_, role_)) scope_.insert_or_assign(name, value);
+}
+
 void RolePlay::forget_monitors_of_restarted(const interaction::Effects& effects) {
   for (const interaction::Effect& effect : effects) {
     const auto* changed = std::get_if<interaction::StateChanged>(&effect.what);

@@ -33,8 +33,8 @@ class RolePlay {
   /// The same, and it may still come true: no block around that condition is over. True before the
   /// role comes there.
   bool may_hear(const std::string& message) const;
-  /// `uav` holds this role from now on.
-  void take_in(const std::string& uav, const std::string& role) { holders_[uav] = role; }
+  /// `uav` holds this role from now on. Precondition: it is a member of the joint task.
+  void take_in(const std::string& uav, const std::string& role);
   /// `uav` holds no role any more.
   void lose(const std::string& uav) { holders_.erase(uav); }
   const Holders& holders() const { return holders_; }

@@ -19,17 +19,11 @@ constexpr Duration kSharing = Duration::milliseconds(120'000);
 // is nobody's any more.
 interaction::Rows what_to_share(const AreaShare& share, const RolePlay& play,
                                 const std::string& action, const world::World& world) {
-  const auto areas = [](const std::vector<world::Polygon>& polygons) {
-    interaction::Rows rows;
-    for (const world::Polygon& one : polygons) rows.push_back(interaction::row_of(kArea, one));
-    return rows;
-  };
-  if (share.agreed()) return areas(share.nobodys());
-  if (share.comes_later()) return share.remainders_of_others();
+  if (share.agreed() || share.comes_later()) return share.to_share();
   const interaction::Automaton& automaton = play.automaton();
   const config::Value* named = automaton[*automaton.find(action)].action()->in.find("area");
   const auto zone = named == nullptr ? std::nullopt : zone_of(*named, play.scope(), world);
-  return zone ? areas({*zone}) : interaction::Rows{};
+  return zone ? interaction::Rows{interaction::row_of(kArea, *zone)} : interaction::Rows{};
 }
 
 std::vector<world::Polygon> areas_in(const interaction::Rows& parameters) {

@@ -250,7 +250,7 @@ TEST(AreaShare, WhoIsLostTwiceLeavesBothOfItsParts) {
 interaction::Terms asked_by(const AreaShare& newcomer, const std::string& name) {
   interaction::Terms terms;
   terms.opener = name;
-  terms.parameters = newcomer.remainders_of_others();
+  terms.parameters = newcomer.to_share();
   return terms;
 }
 
@@ -283,6 +283,23 @@ TEST(AreaShare, WhoComesLaterSharesWhatIsLeftToAll) {
   EXPECT_NEAR(world::area(heron.nobodys().front()), 20000, 1e-6);
 }
 
+// Whose session had ended before they could take part in it.
+TEST(AreaShare, ThoseWhoAreAtItShareAnewLikewiseWhenSomebodyHasCome) {
+  AreaShare heron("heron");
+  heron.agree({interaction::row_of("heron", kWest), interaction::row_of("wren", kEast)});
+  EXPECT_THAT(heron.to_share(), IsEmpty());
+  heron.take_in("swift");
+
+  const Rows rows = heron.to_share();
+
+  ASSERT_THAT(rows, SizeIs(4));
+  EXPECT_EQ(rows[0], (Row{interaction::kAnew, "heron", {1}}));
+  EXPECT_EQ(rows[2], (Row{interaction::kAnew, "wren", {1}}));
+  heron.agree({interaction::row_of("swift", kWest)}, rows);
+  EXPECT_EQ(heron.area_left(), 0);
+  EXPECT_THAT(heron.to_share(), IsEmpty()) << "swift has its part";
+}
+
 TEST(AreaShare, WhoComesLaterSharesWhatOneHadLeftWhoIsLostMeanwhile) {
   AreaShare swift("swift");
   for (const char* name : {"heron", "wren"}) {
@@ -293,11 +310,11 @@ TEST(AreaShare, WhoComesLaterSharesWhatOneHadLeftWhoIsLostMeanwhile) {
 
   swift.lose("wren");
 
-  const Rows rows = swift.remainders_of_others();
+  const Rows rows = swift.to_share();
   double area = 0;
   for (const Row& row : rows) {
     if (row.name == "area") area += world::area(interaction::polygon_of(row));
-    if (row.name == interaction::kAnew) EXPECT_EQ(row.text, "heron") << "wren offers nothing";
+    EXPECT_FALSE(row.name == interaction::kAnew && row.text == "wren") << "it offers nothing";
   }
   EXPECT_NEAR(area, 80000, 1e-6);
 }

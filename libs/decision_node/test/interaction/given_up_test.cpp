@@ -42,7 +42,10 @@ class GivenUp : public ::testing::Test {
     message.terms.model = course_.my.joint.hash;
     message.terms.opened = MissionTime::seconds(opened);
     message.terms.deadline = MissionTime::seconds(opened + 30);
-    message.entries = {{"heliv"}, {"marvin"}};
+    for (const char* uav : {"heliv", "marvin"}) {
+      message.entries.emplace_back();
+      message.entries.back().uav = uav;
+    }
     return message;
   }
 
@@ -57,7 +60,7 @@ TEST_F(GivenUp, ItsPartnersAreToldWhy) {
   EXPECT_EQ(said[0].status.subject, course_.my.joint.subject);
   EXPECT_EQ(said[0].status.phase, JointPhase::kNotLoaded);
   EXPECT_EQ(said[0].status.why, "needs 39.7 % of the energy");
-  EXPECT_THAT(said[0].to, ElementsAre("heliv"));
+  EXPECT_THAT(said[0].partners, ElementsAre("heliv"));
 }
 
 TEST_F(GivenUp, WhatIsNoJointTaskOrNotOfThisUavIsNotTold) {

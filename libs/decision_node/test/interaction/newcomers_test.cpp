@@ -57,7 +57,8 @@ class ScoutingAlone : public ::testing::Test {
   testing::ScoutingCourse course_;
   JointPlay play_{course_.surroundings()};
   Companions companions_{course_.host.partners(), course_.my, "marvin"};
-  Newcomers newcomers_{course_.surroundings(), play_, companions_};
+  const Joint asked_ = course_.my.joint;
+  Newcomers newcomers_{course_.surroundings(), asked_, play_, companions_};
 };
 
 TEST_F(ScoutingAlone, WhoHoldsNoRoleComesByRolesAndStart) {
@@ -73,7 +74,7 @@ TEST_F(ScoutingAlone, WhoHoldsNoRoleComesByRolesAndStart) {
 }
 
 TEST_F(ScoutingAlone, WhoPlaysTakesPartInWhatANewcomerAsks) {
-  newcomers_.invited(asked_for("roles"), course_.my.joint);
+  newcomers_.invited(asked_for("roles"));
 
   EXPECT_THAT(invitations(), ::testing::Contains(course_.my.joint.subject + "/roles"));
 }
@@ -81,7 +82,7 @@ TEST_F(ScoutingAlone, WhoPlaysTakesPartInWhatANewcomerAsks) {
 TEST_F(ScoutingAlone, WhoDoesNotCallAllWhoPlayIsNotAnswered) {
   course_.my.holders["karma"] = "scout";
 
-  newcomers_.invited(asked_for("roles"), course_.my.joint);
+  newcomers_.invited(asked_for("roles"));
 
   EXPECT_THAT(invitations(), IsEmpty());
 }
