@@ -19,7 +19,8 @@ using Kind = interaction::NegotiationOutcome::Kind;
 
 }  // namespace
 
-Interaction::Interaction(JointHost& host) : host_(host), sightings_(host.config().uav) {}
+Interaction::Interaction(JointHost& host)
+    : host_(host), sightings_(host.config().uav), strange_(host) {}
 
 void Interaction::start() {
   manager_.emplace(host_.config().uav, kMission, interaction::standard_modalities(),
@@ -43,11 +44,11 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
   if (const auto* seen = sightings_.own(); seen != nullptr) {
     const std::string why = no_role_for(*joint, host_.config().knowledge->vehicle, seen->state);
     if (!why.empty()) {
-      decline(*joint, why);
+      strange_.decline(*joint, why);
       return host_.answered({asked.task.id, false, {}, why, {}});
     }
   }
-  declined_.erase(joint->subject);
+  strange_.wanted(*joint);
   // Later than foreseen is better than not at all, where nothing forbids it.
   std::vector<mission::Interval> preferences = asked.preferences;
   if (!preferences.empty() && !asked.task.time.start_before) {
@@ -89,32 +90,12 @@ void Interaction::forget_what_is_over() {
     const auto since = one.second->over_since();
     return since && *since + kForgotten <= now;
   });
-  std::erase_if(otherwise_, [&](const auto& one) {
-    return std::ranges::none_of(
-        tasks_, [&](const auto& task) { return task.second->asked().subject == one.first; });
-  });
-  std::erase_if(declined_, [&](const auto& one) { return one.second.at + kForgotten <= now; });
+  std::set<std::string> subjects;
+  for (const auto& [id, task] : tasks_) subjects.insert(task->asked().subject);
+  strange_.forget(subjects, kForgotten);
   std::erase_if(refusals_, [&](const auto& one) {
-    const bool wanted = std::ranges::any_of(
-        tasks_, [&](const auto& task) { return task.second->asked().subject == one.first.first; });
-    return !wanted && one.second.since + kForgotten <= now;
+    return !subjects.contains(one.first.first) && one.second.since + kForgotten <= now;
   });
-}
-
-// They wait for it.
-void Interaction::decline(const Joint& joint, const std::string& why) {
-  interaction::JointTaskStatus status;
-  status.uav = host_.config().uav;
-  status.subject = joint.subject;
-  status.task = joint.task.value();
-  status.model = joint.model;
-  status.variant = joint.variant->name;
-  status.hash = joint.hash;
-  status.phase = interaction::JointPhase::kNotLoaded;
-  status.why = why;
-  const JointTaskChanged told{std::move(status), joint.others(host_.config().uav)};
-  declined_[joint.subject] = {host_.bus().now(), told};
-  host_.bus().emit(told);
 }
 
 // What was loaded has told its partners.
@@ -125,7 +106,7 @@ void Interaction::given_up(const mission::HighLevelTask& goal, const std::string
   const auto joint = joint_of(as_planned(goal, *library), library, host_.config().uav,
                               host_.config().others.names());
   const auto is_it = [&](const auto& one) { return one.second->asked().subject == joint->subject; };
-  if (joint && std::ranges::none_of(tasks_, is_it)) decline(*joint, why);
+  if (joint && std::ranges::none_of(tasks_, is_it)) strange_.decline(*joint, why);
 }
 
 const Interaction::Refusal* Interaction::refusal_of(const std::string& subject,
@@ -257,20 +238,7 @@ void Interaction::hear(const JointTaskTold& told) {
   }
   const bool counts_on_me = (phase == JointPhase::kLoaded || phase == JointPhase::kRunning) &&
                             told.status.holders.contains(host_.config().uav);
-  if (!known && counts_on_me) disown(told.status);
-}
-
-// It had a role before it came back without its memory; nobody would wait for it for less than
-// ever.
-void Interaction::disown(interaction::JointTaskStatus status) {
-  const std::string partner = std::exchange(status.uav, host_.config().uav);
-  status.task = 0;
-  status.phase = interaction::JointPhase::kAborted;
-  status.why = "it knows nothing of this any more";
-  status.active_blocks.clear();
-  status.violated.clear();
-  status.left.clear();
-  host_.bus().emit(JointTaskChanged{std::move(status), {partner}});
+  if (!known && counts_on_me) strange_.disown(told.status);
 }
 
 void Interaction::time_passes() {
@@ -338,26 +306,11 @@ void Interaction::carry_out(const interaction::InvitedToNegotiate& effect) {
                                          ", not of " + joined(task->asked().members, ", ")});
   }
   host_.bus().emit(NegotiationNoted{effect.terms, "invited", {}, "", {}});
-  task != nullptr ? task->invited(effect.terms) : note_strange(effect.terms);
-}
-
-void Interaction::note_strange(const interaction::Terms& terms) {
-  const std::string asked = terms.subject.substr(0, terms.subject.rfind('/'));
-  if (const auto known = declined_.find(asked); known != declined_.end())
-    host_.bus().emit(known->second.told);
-  for (const auto& [id, task] : tasks_) {
-    const auto different =
-        is_to_begin(task->phase()) ? difference(task->asked(), asked) : std::nullopt;
-    if (!different) continue;
-    const std::string text = "'" + terms.opener + "' asks for it with " + *different;
-    if (std::exchange(otherwise_[task->asked().subject], text) != text)
-      host_.bus().emit(Notice{task->asked().subject + ": " + text});
-  }
-}
-
-std::string Interaction::asked_otherwise(const std::string& subject) const {
-  const auto known = otherwise_.find(subject);
-  return known == otherwise_.end() ? "" : known->second;
+  if (task != nullptr) return task->invited(effect.terms);
+  std::vector<const Joint*> loading;
+  for (const auto& [id, one] : tasks_)
+    if (is_to_begin(one->phase())) loading.push_back(&one->asked());
+  strange_.hear(effect.terms, loading);
 }
 
 // Evaluated after what led to it is carried out.

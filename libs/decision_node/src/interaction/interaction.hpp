@@ -14,6 +14,7 @@
 #include "interaction/joint_host.hpp"
 #include "interaction/joint_task.hpp"
 #include "interaction/sightings.hpp"
+#include "interaction/strange_requests.hpp"
 #include "skein/foundation/rising.hpp"
 #include "skein/foundation/tally.hpp"
 
@@ -66,9 +67,8 @@ class Interaction final : public Component {
   };
   /// Null: it has not said so, says something else since, or it is long over.
   const Refusal* refusal_of(const std::string& subject, const std::string& uav) const;
-  /// How a partner asks for that joint task instead: "'heliv' asks for it with duration 400, not
-  /// 315". Empty: nobody does.
-  std::string asked_otherwise(const std::string& subject) const;
+  /// What partners ask for that is not asked for here.
+  const StrangeRequests& strange() const { return strange_; }
   /// Until when at most this UAV waits for joint tasks that come before this one in its plan and
   /// are not agreed on; absent: there is none.
   std::optional<MissionTime> engaged_until(executive::TaskId task) const;
@@ -89,12 +89,6 @@ class Interaction final : public Component {
   void carry_out(const interaction::NegotiationSettled& effect);
   void carry_out(const interaction::MessageRejected& effect);
   void stop_reckoning(const std::string& subject);
-  /// Tells its partners.
-  void decline(const Joint& joint, const std::string& why);
-  /// Somebody asks for what was not asked for here: not at all, or not so.
-  void note_strange(const interaction::Terms& terms);
-  /// Tells a partner that counts on this UAV that it plays no role.
-  void disown(interaction::JointTaskStatus status);
   void forget_what_is_over();
   EarlierAttempts attempts_at(const std::string& subject) const;
   void give_up_closed_ways(const world::VehicleState& state);
@@ -105,12 +99,7 @@ class Interaction final : public Component {
   std::optional<interaction::NegotiationManager> manager_;
   std::map<executive::TaskId, std::unique_ptr<JointTask>> tasks_;
   std::map<std::pair<std::string, std::string>, Refusal> refusals_;  ///< by subject and UAV
-  std::map<std::string, std::string> otherwise_;  ///< asked_otherwise() by subject
-  struct Declined {
-    MissionTime at;
-    JointTaskChanged told;
-  };
-  std::map<std::string, Declined> declined_;             ///< by subject, until it is asked for here
+  StrangeRequests strange_;
   std::map<executive::TaskId, world::Vector3> flights_;  ///< of roles, under way, and from where
   Aborts aborts_;
   Rising ids_;  ///< of tasks of roles, from the first one on

@@ -15,7 +15,7 @@ using interaction::JointPhase;
 
 // What its supervisor plans again at once is one wait.
 EarlierAttempts JointTask::before() const {
-  const bool has_run = play_.has_begun();
+  const bool has_run = play_.role() != nullptr;
   EarlierAttempts before{my_.phase == JointPhase::kAborted && has_run, std::nullopt};
   before.engaged = time_.engaged_partners();
   const bool just_failed = over_since_ && now() <= *over_since_ + kPlannedAgain;
@@ -63,6 +63,18 @@ void JointTask::give_up_on_partners() {
   }
 }
 
+namespace {
+
+// Who was not in the meetings of others would wait in its own for ever.
+void meet_nobody(JointPlay& play, const std::string& self) {
+  if (play.role() == nullptr) return;
+  for (const auto& [uav, role] : Holders(play.role()->holders()))
+    if (uav != self) play.role()->lose(uav);
+  play.begin_anew(is_meeting);
+}
+
+}  // namespace
+
 void JointTask::partner_told(const interaction::JointTaskStatus& status, MissionTime at) {
   const bool gone = status.phase == JointPhase::kLeaving || status.phase == JointPhase::kAborted ||
                     status.phase == JointPhase::kNotLoaded;
@@ -72,7 +84,7 @@ void JointTask::partner_told(const interaction::JointTaskStatus& status, Mission
   const bool has_ended = status.phase == JointPhase::kEnded;
   if (has_ended) companions_.has_ended(status.uav);
   if (has_ended && my_.phase == JointPhase::kRunning && companions_.all_have_ended())
-    play_.meet_nobody();
+    meet_nobody(play_, self_);
   companions_.told(status);
   const bool does_without = status.phase == JointPhase::kRunning && !status.holders.empty() &&
                             !status.holders.contains(self_);

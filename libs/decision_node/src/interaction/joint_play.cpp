@@ -165,24 +165,6 @@ void JointPlay::lose(const std::string& uav) {
   tell(interaction::Message{kMemberLost});
 }
 
-// Who was not in the meetings of others would wait in its own for ever.
-void JointPlay::meet_nobody() {
-  if (!play_) return;
-  for (const auto& [uav, role] : Holders(play_->holders()))
-    if (uav != self_) play_->lose(uav);
-  begin_anew(is_meeting);
-}
-
-bool JointPlay::may_be_called(const std::string& message) const {
-  return play_ && !next_role_ && play_->may_hear(message);
-}
-
-void JointPlay::take_in(const std::string& uav, const std::string& role) {
-  if (!play_) return;
-  play_->take_in(uav, role);
-  mapping_.share().take_in(uav);
-}
-
 void JointPlay::leave() {
   next_role_.reset();
   tell(interaction::Abort{});

@@ -25,8 +25,9 @@ class JointPlay final : private RoleCourse {
   explicit JointPlay(const PlaySurroundings& of);
 
   void begin(const std::string& role);
-  bool has_begun() const { return play_.has_value(); }
-  bool needs_no_place() const { return play_ && !play_->is_bound(); }
+  /// The role that is played; null: none has begun.
+  RolePlay* role() { return play_ ? &*play_ : nullptr; }
+  const RolePlay* role() const { return play_ ? &*play_ : nullptr; }
   void tell(const interaction::Input& input) override;
   /// What places and costs are computed with.
   Outlook outlook() const override;
@@ -44,11 +45,6 @@ class JointPlay final : private RoleCourse {
   /// The same, and its partners have ended their roles.
   bool nothing_is_left_together() const;
   void lose(const std::string& uav);
-  /// Whether a condition of the role may still come true by this message.
-  bool may_be_called(const std::string& message) const;
-  /// All others are through: it meets nobody any more.
-  void meet_nobody();
-  void take_in(const std::string& uav, const std::string& role);
   /// Begins such tasks that are under way anew: meetings without those who hold no role any more,
   /// mappings over what is left of the own part.
   void begin_anew(bool (*is_meant)(const interaction::Task& task));

@@ -29,7 +29,7 @@ constexpr double kSameBeginning = 25;  // [m] what a refusal depends on is the s
 std::string why_too_late(const Membership& my, const std::string& self, Interaction& interaction) {
   const Partners& partners = interaction.partners();
   std::string why = my.why;
-  const std::string otherwise = interaction.asked_otherwise(my.joint.subject);
+  const std::string otherwise = interaction.strange().asked_otherwise(my.joint.subject);
   if (!otherwise.empty()) why += (why.empty() ? "" : "; ") + otherwise;
   for (const std::string& uav : my.joint.members) {
     const auto since = uav == self ? std::nullopt : partners.silent_since(uav);
@@ -330,7 +330,7 @@ void JointTask::interrupted() {
 void JointTask::leave(const std::string& why) {
   if (over() || my_.phase == JointPhase::kLeaving) return;
   my_.why = why;
-  if (!play_.has_begun()) return finish(JointPhase::kAborted);
+  if (play_.role() == nullptr) return finish(JointPhase::kAborted);
   my_.phase = JointPhase::kLeaving;
   announce();
   play_.leave();

@@ -69,7 +69,10 @@ class JointTask {
   /// Joint tasks before this one may be agreed on now, or not any more.
   void look_at_earlier();
   /// Whether the vehicle may move away without breaking a constraint of the role.
-  bool needs_no_place() const { return is_to_begin(my_.phase) || play_.needs_no_place(); }
+  bool needs_no_place() const {
+    const RolePlay* role = play_.role();
+    return is_to_begin(my_.phase) || (role != nullptr && !role->is_bound());
+  }
   void load(const EarlierAttempts& before);
   /// What it is to one that is loaded now, after it.
   EarlierAttempts before() const;

@@ -74,7 +74,7 @@ bool Newcomers::called(const interaction::Terms& terms) {
 }
 
 Result<interaction::Rows, Failure> Newcomers::offer_for(const interaction::Terms& terms) const {
-  if (!play_.may_be_called(kInvitation))
+  if (play_.role() == nullptr || !play_.role()->may_hear(kInvitation))
     return failure("it is at it, and takes nobody in any more");
   if (!with(in(terms))) return failure("it is at it, in a variant for as many as there are");
   if (is_about_roles(terms)) return interaction::Rows{{my_.holders.at(self_), "", {0}}};
@@ -114,7 +114,8 @@ void Newcomers::take_in(const std::string& uav, const Agreed& agreed) {
   my_.holders[uav] = agreed.role;
   my_.allocation = agreed.allocation;
   companions_.begin_anew(uav);
-  play_.take_in(uav, agreed.role);
+  if (play_.role() != nullptr) play_.role()->take_in(uav, agreed.role);
+  play_.mapping().share().take_in(uav);
   if (agreed.call) play_.tell(interaction::Message{*agreed.call});
   host_.bus().emit(Notice{my_.joint.subject + ": '" + uav + "' takes part again"});
   task_.announce();
