@@ -349,24 +349,6 @@ TEST_F(LedgerKeepingTest, WhatIsTooLateAfterOthersIsForNobodyAndItsTimesAreThose
             "earliest and lasts 20 s, then 4 lasts 10 s");
 }
 
-// Whoever is there: it may be nobody who bids.
-TEST_F(LedgerKeepingTest, WhatIsTooLateByItselfIsForNobodyOnceThatIsSo) {
-  holds(a_ledger().has(a_task(4).lasting(10).by(40), Stage::kForSale));
-
-  says(1, wants({}), 29);
-  EXPECT_EQ(stage(4), Stage::kForSale);
-  const TeamEffects late = says(1, wants({}), 31);
-
-  EXPECT_EQ(stage(4), Stage::kUnsold);
-  EXPECT_EQ(entry(4).why,
-            "nobody can do it in time any more: its deadline is 40 s, and it had to begin by 30 s");
-  const auto is_rejected = [](const TeamEffect& effect) {
-    const auto* told = std::get_if<SaleTold>(&effect);
-    return told != nullptr && std::holds_alternative<Rejected>(told->what);
-  };
-  EXPECT_EQ(std::count_if(late.begin(), late.end(), is_rejected), 1);
-}
-
 TEST_F(LedgerKeepingTest, WhatALostMemberWasGrantedIsForSaleAtOnce) {
   holds(a_ledger().has(a_task(4), Stage::kGranted, {1}));
 

@@ -120,8 +120,10 @@ TEST(ClosedAir, OverANarrowRadioItTakesThreeWordsMoreToTurnAway) {
 // Found by random missions (--anything 1010018): a blimp at less than half its speed.
 TEST(ClosedAir, WhatAFaultSlowsIsBlownFurtherWhileItTurns) {
   const auto turns_into_it = [](const std::string& uav, double at, double depth) {
-    Story story(std::string(kTower) + "  wind: {toward: 0, speed: 3}\n");
-    story.slows(10, "karma", 2, 40).slows(10, "heliv", 2, 40);
+    Story story(std::string(kTower) + "  wind: {toward: 0, speed: 3}\n",
+                std::string(kClosing) +
+                    "faults:\n  - {at: 10, slow: {uav: karma, factor: 2, for: 40}}\n"
+                    "  - {at: 10, slow: {uav: heliv, factor: 2, for: 40}}\n");
     story.flies(uav, 0, at - 1, {50, 50, 40}, {99, 50, 40});
     story.flies(uav, at, at + 3, {100 + depth, 50, 40}, {100 + depth, 50, 40});
     story.flies(uav, at + 4, 200, {99, 50, 40}, {50, 50, 40});

@@ -71,11 +71,6 @@ class Story {
     return *this;
   }
   /// So long may a job of planning take [s].
-  Story& slows(double at, const std::string& uav, double factor, double lasts) {
-    scenario_.faults.slows.push_back(
-        {MissionTime::seconds(at), uav, factor, Duration::seconds(lasts)});
-    return *this;
-  }
   Story& plans_in(double seconds) {
     scenario_.planning->takes_most = Duration::seconds(seconds);
     return *this;
