@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(AreaSharing, Teamwork,
 INSTANTIATE_TEST_SUITE_P(Degree5, Teamwork,
                          ::testing::Values("team/two", "team/five", "team/comets", "team/mixed",
                                            "team/out-of-reach", "team/found-again", "team/wall",
-                                           "team/delays", "team/abilities"),
+                                           "team/delays", "team/abilities", "team/too-late"),
                          name_of);
 
 // Nobody has the energy for its mission, so nobody goes.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "skein/auction/lateness.hpp"
+
 namespace skein::auction {
 
 bool all_before_done(const Ledger& ledger, const LedgerEntry& entry) {
@@ -20,6 +22,11 @@ void put_up(LedgerEntry& entry, std::string why) {
   entry.finished.clear();
   entry.stopped.clear();
   entry.why = std::move(why);
+}
+
+void take_out(LedgerEntry& entry, std::string why) {
+  put_up(entry, std::move(why));
+  entry.stage = Stage::kUnsold;
 }
 
 Lot lot_for_sale(const Ledger& ledger, const std::set<MemberNumber>& here, MissionTime now) {
@@ -78,11 +85,28 @@ std::uint64_t newest_for_sale(const Ledger& ledger) {
   return newest;
 }
 
-bool worth_selling(const Ledger& ledger, bool joined, bool again) {
+std::vector<TaskNumber> newly_too_late(const Ledger& ledger, MissionTime now) {
+  std::vector<TaskNumber> late;
+  for (const auto& [task, entry] : ledger.entries) {
+    const bool is_unsold = entry.stage == Stage::kUnsold;
+    if ((!is_unsold && entry.stage != Stage::kForSale) || !is_too_late(entry.task, now)) continue;
+    if (!is_unsold || entry.why != why_too_late(entry.task)) late.push_back(task);
+  }
+  return late;
+}
+
+std::vector<TaskNumber> unsold_in_time(const Ledger& ledger, MissionTime now) {
+  std::vector<TaskNumber> unsold;
+  for (const auto& [task, entry] : ledger.entries)
+    if (entry.stage == Stage::kUnsold && !is_too_late(entry.task, now)) unsold.push_back(task);
+  return unsold;
+}
+
+bool worth_selling(const Ledger& ledger, bool joined, bool again, MissionTime now) {
+  if ((joined || again) && !unsold_in_time(ledger, now).empty()) return true;
   return std::any_of(ledger.entries.begin(), ledger.entries.end(), [&](const auto& each) {
     const Stage stage = each.second.stage;
-    return stage == Stage::kForSale || (joined && stage == Stage::kOwned) ||
-           (stage == Stage::kUnsold && (joined || again));
+    return stage == Stage::kForSale || (joined && stage == Stage::kOwned);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "for_sale.hpp"
+#include "skein/auction/lateness.hpp"
 #include "team_core.hpp"
 
 namespace skein::auction {
@@ -67,7 +68,7 @@ bool TeamMember::Core::is_to_sell(const std::set<MemberNumber>& here) const {
   if (now_ < held_since_ + setup_.limits.beat && any_unheard()) return false;
   const auto is_new = [this](MemberNumber member) { return !took_part_.contains(member); };
   const bool joined = now_ >= rest_until_ && std::any_of(here.begin(), here.end(), is_new);
-  if (here.empty() || !worth_selling(ledger(), joined, now_ >= retry_at_)) return false;
+  if (here.empty() || !worth_selling(ledger(), joined, now_ >= retry_at_, now_)) return false;
   const std::uint64_t newest = newest_for_sale(ledger());
   return std::all_of(here.begin(), here.end(), [&](MemberNumber member) {
     return member == setup_.self || followers_.has(member, newest);
@@ -121,11 +122,7 @@ Lot TeamMember::Core::sound_lot() {
   for (auto wrong = contradictions(lot); !wrong.empty(); wrong = contradictions(lot)) {
     auto told = contradictions(in_mission_time(lot, now_));
     if (!told.empty()) wrong = std::move(told);  // else it is one by rounding alone
-    for (const Contradiction& one : wrong) {
-      LedgerEntry& entry = change(one.chain.back());
-      put_up(entry, one.why);
-      entry.stage = Stage::kUnsold;
-    }
+    for (const Contradiction& one : wrong) take_out(change(one.chain.back()), one.why);
     effects_.emplace_back(SaleTold{Rejected{std::move(wrong)}});
     lot = lot_for_sale(ledger(), present(), now_);
   }
@@ -133,13 +130,14 @@ Lot TeamMember::Core::sound_lot() {
 }
 
 void TeamMember::Core::sell() {
+  for (const TaskNumber task : newly_too_late(ledger(), now_)) {
+    LedgerEntry& entry = change(task);
+    take_out(entry, why_too_late(entry.task));
+    effects_.emplace_back(SaleTold{Rejected{{{{task}, entry.why}}}});
+  }
   const std::set<MemberNumber> here = present();
   if (!is_to_sell(here)) return;
-  std::vector<TaskNumber> again;
-  for (const auto& [task, entry] : ledger().entries) {
-    if (entry.stage == Stage::kUnsold) again.push_back(task);
-  }
-  for (const TaskNumber task : again) put_up(change(task), "called again");
+  for (const TaskNumber task : unsold_in_time(ledger(), now_)) put_up(change(task), "called again");
   // Of this term, so that what an older holder sold without a majority is another sale.
   const SaleNumber number((disk_.term << kSalesOfATerm) + ++sales_);
   SaleSetup setup{number,

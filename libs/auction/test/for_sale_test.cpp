@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/auction/lateness.hpp"
 #include "testing/ledger_builder.hpp"
 
 namespace skein::auction {
@@ -112,6 +113,27 @@ TEST(PutUp, LeavesATaskOfNobodyAndSaysWhy) {
   EXPECT_EQ(entry.sale, 101U) << "what was said of the old sale is known by it";
 }
 
+TEST(TooLate, IsWhatHasNoOwnerAndIsSaidOnce) {
+  const auto task = [](std::uint32_t number) { return a_task(number).lasting(20).by(80); };
+  Ledger ledger = a_ledger()
+                      .has(task(1), Stage::kForSale)
+                      .has(task(2), Stage::kUnsold)
+                      .has(task(3), Stage::kOwned, {1})
+                      .has(task(4), Stage::kGranted, {1})
+                      .has(task(5), Stage::kDone, {1})
+                      .has(a_task(6).lasting(20), Stage::kUnsold);
+
+  EXPECT_THAT(newly_too_late(ledger, at(60)), IsEmpty());
+  EXPECT_THAT(newly_too_late(ledger, at(61)), ElementsAre(TaskNumber(1), TaskNumber(2)));
+  EXPECT_THAT(unsold_in_time(ledger, at(60)), ElementsAre(TaskNumber(2), TaskNumber(6)));
+  EXPECT_THAT(unsold_in_time(ledger, at(61)), ElementsAre(TaskNumber(6)));
+
+  LedgerEntry& entry = ledger.entries.at(TaskNumber(1));
+  take_out(entry, why_too_late(entry.task));
+  EXPECT_EQ(entry.stage, Stage::kUnsold);
+  EXPECT_THAT(newly_too_late(ledger, at(62)), ElementsAre(TaskNumber(2)));
+}
+
 TEST(AllBeforeDone, LooksAtEveryPrecedenceOfTheTaskAndIgnoresWhatTheLedgerLacks) {
   const auto ready = [](Stage first, Stage second) {
     const Ledger ledger = a_ledger()
@@ -132,26 +154,33 @@ TEST(AllBeforeDone, LooksAtEveryPrecedenceOfTheTaskAndIgnoresWhatTheLedgerLacks)
 }
 
 TEST(WorthSelling, IsAlwaysWhatHasNoOwner) {
-  EXPECT_TRUE(worth_selling(a_ledger().has(a_task(1), Stage::kForSale), false, false));
-  EXPECT_FALSE(worth_selling(a_ledger(), true, true));
+  EXPECT_TRUE(worth_selling(a_ledger().has(a_task(1), Stage::kForSale), false, false, at(0)));
+  EXPECT_FALSE(worth_selling(a_ledger(), true, true, at(0)));
 }
 
 TEST(WorthSelling, IsWhatIsOwnedIfSomebodyJoinedAndWhatIsUnsoldAlsoAfterAWhile) {
   const Ledger owned = a_ledger().has(a_task(1), Stage::kOwned, {1});
   const Ledger unsold = a_ledger().has(a_task(1), Stage::kUnsold);
 
-  EXPECT_FALSE(worth_selling(owned, false, true));
-  EXPECT_TRUE(worth_selling(owned, true, false));
-  EXPECT_FALSE(worth_selling(unsold, false, false));
-  EXPECT_TRUE(worth_selling(unsold, true, false));
-  EXPECT_TRUE(worth_selling(unsold, false, true));
+  EXPECT_FALSE(worth_selling(owned, false, true, at(0)));
+  EXPECT_TRUE(worth_selling(owned, true, false, at(0)));
+  EXPECT_FALSE(worth_selling(unsold, false, false, at(0)));
+  EXPECT_TRUE(worth_selling(unsold, true, false, at(0)));
+  EXPECT_TRUE(worth_selling(unsold, false, true, at(0)));
+}
+
+TEST(WorthSelling, IsNotWhatIsUnsoldAndTooLate) {
+  const Ledger unsold = a_ledger().has(a_task(1).lasting(20).by(80), Stage::kUnsold);
+
+  EXPECT_TRUE(worth_selling(unsold, true, true, at(60)));
+  EXPECT_FALSE(worth_selling(unsold, true, true, at(61)));
 }
 
 TEST(WorthSelling, IsNotWhatIsBegunOrDone) {
   const Ledger ledger =
       a_ledger().has(a_task(1), Stage::kGranted, {1}).has(a_task(2), Stage::kDone, {1});
 
-  EXPECT_FALSE(worth_selling(ledger, true, true));
+  EXPECT_FALSE(worth_selling(ledger, true, true, at(0)));
 }
 
 TEST(NewestForSale, IsTheRevisionOfTheLastThatCameThere) {

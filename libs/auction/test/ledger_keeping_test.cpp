@@ -332,8 +332,11 @@ TEST_F(LedgerKeepingTest, WhatAFormerOwnerHasDoneIsOneWordOfManyWhereSeveralAreT
   EXPECT_EQ(stage(4), Stage::kGranted);
 }
 
-TEST_F(LedgerKeepingTest, WhatIsTooLateIsForNobodyAndItsTimesAreThoseOfTheMission) {
-  holds(a_ledger().has(a_task(4).lasting(10).by(40), Stage::kForSale));
+TEST_F(LedgerKeepingTest, WhatIsTooLateAfterOthersIsForNobodyAndItsTimesAreThoseOfTheMission) {
+  holds(a_ledger()
+            .has(a_task(3).lasting(20), Stage::kForSale)
+            .has(a_task(4).lasting(10).by(110), Stage::kForSale)
+            .order(3, 4));
   Status bids = wants({});
   bids.bids = true;
   bids.revision = holder->ledger().revision;
@@ -342,8 +345,8 @@ TEST_F(LedgerKeepingTest, WhatIsTooLateIsForNobodyAndItsTimesAreThoseOfTheMissio
 
   EXPECT_EQ(stage(4), Stage::kUnsold);
   EXPECT_EQ(entry(4).why,
-            "the last cannot end before 105.5 s, its deadline is 40 s: 4 begins at 95.5 s at the "
-            "earliest and lasts 10 s");
+            "the last cannot end before 125.5 s, its deadline is 110 s: 3 begins at 95.5 s at the "
+            "earliest and lasts 20 s, then 4 lasts 10 s");
 }
 
 TEST_F(LedgerKeepingTest, WhatALostMemberWasGrantedIsForSaleAtOnce) {

@@ -320,6 +320,46 @@ TEST(Team, AMissionNobodyCanDoIsInTheLedgerWithEveryReason) {
   EXPECT_THAT(entry(team, 1, 0).why, HasSubstr("0: it has none of the abilities; 1: it has none"));
 }
 
+// Found by an outsider's missions (8, 42): it was called each minute to the end of the mission.
+TEST(Team, WhatIsTooLateIsSaidToBeOnceAndNotCalledAgain) {
+  GivenMission mission = mission_of(1, 20);
+  mission.lot.tasks[0].needs = 1;
+  mission.lot.tasks[0].deadline = 150;
+  TeamSimulation team(line_world(2));
+  team.give(0, mission);
+  team.run_until(seconds(129));
+  EXPECT_THAT(entry(team, 0, 0).why, HasSubstr("it has none of the abilities"));
+  team.run_until(seconds(140));
+  const std::size_t told = team.told().size();
+  const std::uint64_t revision = team.ledger(0).revision;
+  team.run_until(seconds(900));
+
+  EXPECT_EQ(entry(team, 0, 0).stage, Stage::kUnsold);
+  EXPECT_EQ(
+      entry(team, 0, 0).why,
+      "nobody can do it in time any more: its deadline is 150 s, and it had to begin by 130 s");
+  const auto* last = std::get_if<Rejected>(&team.told().back());
+  ASSERT_NE(last, nullptr);
+  EXPECT_EQ(last->contradictions.at(0).why, entry(team, 0, 0).why);
+  EXPECT_EQ(team.told().size(), told) << "nobody is asked any more";
+  EXPECT_EQ(team.ledger(0).revision, revision);
+}
+
+TEST(Team, WhatFailsWhenItIsTooLateForAnotherIsOver) {
+  GivenMission mission = mission_of(1, 100);
+  mission.lot.tasks[0].deadline = 150;
+  TeamSimulation team(line_world(2));
+  team.give(0, mission);
+  team.run_until(seconds(90));
+  ASSERT_THAT(team.executions(), SizeIs(1));
+  team.fail_task(team.executions()[0].member.value());
+  team.run_until(seconds(300));
+
+  EXPECT_THAT(team.executions(), SizeIs(1));
+  EXPECT_EQ(entry(team, 0, 0).stage, Stage::kUnsold);
+  EXPECT_THAT(entry(team, 0, 0).why, HasSubstr("it had to begin by 50 s"));
+}
+
 TEST(Team, AJointTaskIsBegunByAllItsOwnersOrNone) {
   GivenMission mission = mission_of(3, 10);
   mission.lot.tasks[1].least_members = 2;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "skein/auction/lateness.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/mission/degree.hpp"
@@ -35,7 +36,7 @@ std::vector<TeamDesk::Effect> TeamDesk::handle(const Input& input, MissionTime n
                         [&](const Tick&) { tell_member(auction::Tick{}, now, out); },
                         [&](const auto& it) { accept(it, now, out); }},
              input);
-  tell_news(out);
+  tell_news(now, out);
   return out;
 }
 
@@ -193,8 +194,17 @@ void TeamDesk::tell_member(const auction::TeamInput& input, MissionTime now, Eff
   }
 }
 
+/// None: it has an owner in the book, or somebody could still end it by its deadline.
+const auction::Task* TeamDesk::too_late(mission::GoalId task, MissionTime now) const {
+  const auto& entries = member_.ledger().entries;
+  const auto entry = entries.find(auction::TaskNumber(static_cast<std::uint32_t>(task.value())));
+  if (entry == entries.end() || entry->second.stage != auction::Stage::kUnsold) return nullptr;
+  return auction::is_too_late(entry->second.task, now) ? &entry->second.task : nullptr;
+}
+
 /// What is pinned to one whose degree is low is no end: the operator has both in hand.
-void TeamDesk::count_refusals(team::TaskStanding& standing) {
+void TeamDesk::count_refusals(team::TaskStanding& standing, MissionTime now) {
+  if (too_late(standing.task, now) != nullptr) return;  // nobody was asked
   if (standing.stage == auction::Stage::kUnsold) {
     if (!is_pinned_in_hand(standing.task)) ++refused_[standing.task];
     standing.why = why_unsold(standing);
@@ -203,9 +213,9 @@ void TeamDesk::count_refusals(team::TaskStanding& standing) {
   }
 }
 
-void TeamDesk::tell_news(Effects& out) {
+void TeamDesk::tell_news(MissionTime now, Effects& out) {
   for (team::TaskStanding& standing : ownership_.news(member_.ledger())) {
-    count_refusals(standing);
+    count_refusals(standing, now);
     if (standing.stage == auction::Stage::kDone) {
       for (auto& [mission, open] : open_) {
         if (open.erase(standing.task) == 0 || !open.empty()) continue;
@@ -214,14 +224,16 @@ void TeamDesk::tell_news(Effects& out) {
     }
     out.emplace_back(TeamTaskChanged{std::move(standing)});
   }
-  tell_hopeless(out);
+  tell_hopeless(now, out);
 }
 
-/// Nobody could when it was called, nor when it was called again; or it comes after such a one.
-/// Each is looked at once a round, however many ways lead to it.
-std::set<mission::GoalId> TeamDesk::hopeless_of(const std::set<mission::GoalId>& open) const {
+/// Nobody could when it was called, nor when it was called again; or its time is over; or it comes
+/// after such a one. Each is looked at once a round, however many ways lead to it.
+std::set<mission::GoalId> TeamDesk::hopeless_of(const std::set<mission::GoalId>& open,
+                                                MissionTime now) const {
   std::set<mission::GoalId> hopeless;
   const auto is_hopeless = [&](mission::GoalId task) {
+    if (too_late(task, now) != nullptr) return true;
     const auto refused = refused_.find(task);
     if (refused != refused_.end() && refused->second >= kCalls) return true;
     const auto standing = standings().find(task);
@@ -240,9 +252,9 @@ std::set<mission::GoalId> TeamDesk::hopeless_of(const std::set<mission::GoalId>&
 
 /// The end of a mission of which nobody can do what is left. It may be sold all the same, once
 /// somebody comes who can; then it has another end.
-void TeamDesk::tell_hopeless(Effects& out) {
+void TeamDesk::tell_hopeless(MissionTime now, Effects& out) {
   for (const auto& [id, open] : open_) {
-    const bool over = !open.empty() && !waiting_.contains(id) && hopeless_of(open) == open;
+    const bool over = !open.empty() && !waiting_.contains(id) && hopeless_of(open, now) == open;
     if (!over) {
       hopeless_.erase(id);
       continue;
@@ -251,9 +263,12 @@ void TeamDesk::tell_hopeless(Effects& out) {
     std::vector<std::string> whys;
     for (const mission::GoalId task : open) {
       const auto standing = standings().find(task);
-      if (standing == standings().end() || refused_.count(task) == 0) continue;
-      whys.push_back("task " + skein::to_text(task) + " (" + standing->second.statement +
-                     "): " + why_unsold(standing->second));
+      if (standing == standings().end()) continue;
+      const auction::Task* late = too_late(task, now);
+      if (late == nullptr && refused_.count(task) == 0) continue;
+      whys.push_back(
+          "task " + skein::to_text(task) + " (" + standing->second.statement +
+          "): " + (late != nullptr ? auction::why_too_late(*late) : why_unsold(standing->second)));
     }
     out.emplace_back(GlobalMissionChanged{id, GlobalStage::kRefused,
                                           "nobody can do what is left: " + joined(whys, "; ")});

@@ -210,6 +210,43 @@ TEST(TeamDesk, WhatNobodyCanDoWhenItIsCalledAgainEndsTheMissionWithEachReason) {
   EXPECT_THAT(stands(Stage::kUnsold, Stage::kDone), SizeIs(1));
 }
 
+// The holder of the token calls it no more: the second call never comes. It was said at 9 s that
+// nobody could, by whoever is heard no more, or that it is over.
+TEST(TeamDesk, WhatIsTooLateEndsTheMissionWithoutAnotherCallAndSaysSo) {
+  const auto told = [](bool pinned, MissionTime then) {
+    TeamDesk ground = desk();
+    if (pinned) ground.handle(DegreeChanged{"heliv", 3}, at(0));
+    GiveGlobalMission give = mission_of(1, 11);
+    if (pinned) give.mission.tasks[0].by = "heliv";
+    ground.handle(give, at(1));
+    auto ledger = std::make_shared<auction::Ledger>();
+    ledger->term = 1;
+    ledger->revision = 1;
+    auction::LedgerEntry& entry = ledger->entries[auction::TaskNumber(11)];
+    entry.task.number = auction::TaskNumber(11);
+    entry.task.duration = 20;
+    entry.task.deadline = 120;
+    entry.stage = auction::Stage::kUnsold;
+    entry.why = "marvin: no camera";
+    EXPECT_THAT(all<GlobalMissionChanged>(
+                    ground.handle(TeamHeard{"marvin", auction::Beat{1, 1, ledger}}, at(9))),
+                IsEmpty());
+    EXPECT_THAT(all<GlobalMissionChanged>(ground.handle(Tick{}, at(100))), IsEmpty());
+    const auto over = all<GlobalMissionChanged>(ground.handle(Tick{}, then));
+    EXPECT_THAT(all<GlobalMissionChanged>(ground.handle(Tick{}, then)), IsEmpty()) << "said once";
+    return over;
+  };
+
+  for (const bool pinned : {false, true}) {
+    const auto over = told(pinned, at(101));
+    ASSERT_THAT(over, SizeIs(1));
+    EXPECT_EQ(over[0].stage, GlobalStage::kRefused);
+    EXPECT_EQ(over[0].why,
+              "nobody can do what is left: task 11 (): nobody can do it in time any more: its "
+              "deadline is 120 s, and it had to begin by 100 s");
+  }
+}
+
 // Found by reading: the mission was over while its operator had the UAV in hand.
 TEST(TeamDesk, WhatIsPinnedToOneWhoseDegreeIsLowWaitsForItAndSaysSo) {
   TeamDesk ground = desk();

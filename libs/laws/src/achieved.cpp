@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kStep = 0.5;       ///< [s] how finely truth is looked at
 constexpr double kNearby = 3;       ///< [m] a device aimed so near a place is aimed at it
-constexpr double kAlarmMoves = 20;  ///< [m] where an alarm is becomes clearer while it is looked at
+constexpr double kAlarmMoves = 20;  ///< [m] where it is becomes clearer while it is looked at
 constexpr double kHeard = 12;       ///< [s] in which a plan follows an object that moves
 constexpr double kSightAbove = 1;   ///< [m] over the ground: what lies there is seen
 constexpr double kApart = 100;      ///< [m] as far from their place in the air partners that hover
@@ -149,10 +149,10 @@ std::optional<WantedLook> look_of(const History& history, const Uav& uav,
     const auto where = history.places(uav, named, at, at);
     const auto long_for = number_of(task.arguments[seconds]);
     if (where.empty() || !long_for) return std::nullopt;
-    const bool followed = history.is_followed(named);
+    const bool followed = history.is_followed(named) || history.was_told_of(uav, named);
     const bool moves = followed || history.is_alarm(named);
     return WantedLook{where.back(), *long_for, 0, moves ? kAlarmMoves : 0,
-                      followed || history.was_told_of(uav, named) ? &named : nullptr};
+                      followed ? &named : nullptr};
   };
   if (task.name == "perceive" || task.name == "general-combined-goto-and-takeshot" ||
       task.name == "perform-monitoring") {

@@ -2,6 +2,7 @@
 // Closed air and energy, by where the vehicles really were and what they really had.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -74,10 +75,27 @@ bool is_on_its_own(int degree) { return degree >= 4; }
 // Degree 1 included: the decision node hears what its vehicle says at any degree.
 bool is_in_a_hand(int degree) { return degree < 4; }
 
+/// How much further than its plan knows the wind carries one that cannot hover in half a turn,
+/// while a fault slows it and until it has turned [m].
+double blown_further(const History& history, const Uav& uav, double at) {
+  const world::VehicleModel& model = uav.spec->model;
+  if (model.hovers) return 0;
+  const double turn = std::numbers::pi * model.min_turn_radius / model.cruise_speed;  // [s] half
+  double further = 0;
+  for (const scenario::SlowSpec& fault : history.scenario->faults.slows) {
+    const double from = fault.at.to_seconds();
+    const double until = (fault.at + fault.lasts).to_seconds() + 2 * turn * fault.factor;
+    if (fault.uav != uav.name() || at < from || at > until) continue;
+    further = std::max(further, history.scenario->world.wind.speed * turn * (fault.factor - 1));
+  }
+  return further;
+}
+
 // Times in a volume, at a degree that is judged. Who waits beside one may be blown in by as much as
 // it wavers.
-std::vector<Stay> stays_in(const Uav& uav, const Closing& closing, bool (*is_judged)(int degree)) {
-  const double deep = 1 + world::tracking_spread(uav.spec->model);  // [m]
+std::vector<Stay> stays_in(const History& history, const Uav& uav, const Closing& closing,
+                           bool (*is_judged)(int degree)) {
+  const double wavers = 1 + world::tracking_spread(uav.spec->model);  // [m]
   std::vector<Stay> stays;
   bool inside = false, stood = false;
   for (const Sample& sample : uav.samples) {
@@ -90,7 +108,7 @@ std::vector<Stay> stays_in(const Uav& uav, const Closing& closing, bool (*is_jud
                                  !out_of_control(uav, sample.at)
                              ? depth_in(closing.volume, sample.position)
                              : 0;
-    if (depth < deep) {
+    if (depth < wavers + blown_further(history, uav, sample.at)) {
       inside = false;
       continue;
     }
@@ -135,7 +153,7 @@ std::vector<Violation> in_closed_air(const History& history) {
     if (history.was_killed(name)) continue;
     for (const Closing& closing : uav.closings) {
       std::optional<double> leaves_since;
-      for (const Stay& stay : stays_in(uav, closing, is_on_its_own)) {
+      for (const Stay& stay : stays_in(history, uav, closing, is_on_its_own)) {
         const auto kept = [&](double from, double until) {
           return kept_from_flying(history, uav, from, until);
         };
@@ -182,7 +200,7 @@ std::vector<Violation> closed_air_untold(const History& history) {
   for (const auto& [name, uav] : history.uavs) {
     if (history.was_killed(name)) continue;
     for (const Closing& closing : uav.closings) {
-      for (const Stay& stay : stays_in(uav, closing, is_in_a_hand)) {
+      for (const Stay& stay : stays_in(history, uav, closing, is_in_a_hand)) {
         if (stay.until - stay.from < kSoon || was_told_of(uav, closing.volume, stay.from + kSoon))
           continue;
         result.push_back({"", stay.from, name, 0,

@@ -162,15 +162,16 @@ std::optional<double> reached(const History& history, const std::string& one,
 }
 
 /// [s] For a word about a plan, and as much again that is on its way before it, on the narrowest of
-/// the links. Past a relay the words to all others go over one link, one after the other.
+/// the links. Past a relay the words to all others go over one link, one after the other, beside
+/// what that passes on for others.
 double on_the_air(const History& history, std::uint64_t arcs) {
   constexpr double kUsual = 2'500;              // [byte] a network of some twenty tasks, told whole
   constexpr double kArc = 32, kCarrying = 1.5;  // [byte]; of what goes in parts
   const double bytes = std::max(kUsual, static_cast<double>(arcs) * kArc * kCarrying);
   const scenario::RadioSpec& radio = history.scenario->radio;
   const double uavs = static_cast<double>(history.scenario->uavs.size());
-  const double words = radio.relays.empty() ? 2 : std::max(2.0, uavs);
-  return 8.0 * words * bytes / scenario::narrowest(radio).value_or(kNever);
+  const double words = radio.relays.empty() ? 1 : std::max(1.0, uavs);
+  return 8.0 * 2 * words * bytes / scenario::narrowest(radio).value_or(kNever);
 }
 
 /// [s] On the narrowest link, for the events that go before what is said of a plan: those of so

@@ -117,6 +117,26 @@ TEST(ClosedAir, OverANarrowRadioItTakesThreeWordsMoreToTurnAway) {
   EXPECT_THAT(comes_into_it(13, 9'600, false), ElementsAre(HasSubstr("into 'smoke'")));
 }
 
+// Found by random missions (--anything 1010018): a blimp at less than half its speed.
+TEST(ClosedAir, WhatAFaultSlowsIsBlownFurtherWhileItTurns) {
+  const auto turns_into_it = [](const std::string& uav, double at, double depth) {
+    Story story(std::string(kTower) + "  wind: {toward: 0, speed: 3}\n",
+                std::string(kClosing) +
+                    "faults:\n  - {at: 10, slow: {uav: karma, factor: 2, for: 40}}\n"
+                    "  - {at: 10, slow: {uav: heliv, factor: 2, for: 40}}\n");
+    story.flies(uav, 0, at - 1, {50, 50, 40}, {99, 50, 40});
+    story.flies(uav, at, at + 3, {100 + depth, 50, 40}, {100 + depth, 50, 40});
+    story.flies(uav, at + 4, 200, {99, 50, 40}, {50, 50, 40});
+    return story.broken("closed-air");
+  };
+
+  // Half a turn of 25 m at 8 m/s takes 9.8 s, and 9.8 s longer: 29 m of wind.
+  EXPECT_THAT(turns_into_it("karma", 60, 25), IsEmpty());
+  EXPECT_THAT(turns_into_it("karma", 60, 45), ElementsAre(HasSubstr("into 'tower'")));
+  EXPECT_THAT(turns_into_it("karma", 100, 25), ElementsAre(HasSubstr("into 'tower'")));
+  EXPECT_THAT(turns_into_it("heliv", 60, 25), ElementsAre(HasSubstr("into 'tower'")));
+}
+
 // Found by random missions (--anything 15): a robot whose home is closed drove out of it.
 TEST(ClosedAir, WhoStoodInItAtFirstMayLeaveButNotStay) {
   const auto leaves_after = [](double seconds) {

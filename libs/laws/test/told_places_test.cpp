@@ -39,6 +39,24 @@ TEST(Perceived, APlaceIsPerceivedWhereTheUavWasToldThatItLies) {
   EXPECT_THAT(looked_at({150, 60, 0}, 150), IsEmpty()) << "it was not told yet";
 }
 
+// Found by random missions (--anything --minds 1013003): a place moved by 14 m just before a look
+// at it, and stayed in view of the camera.
+TEST(Perceived, ALookGoesOnAtWhatMovesALittleWithinItsView) {
+  const auto looks_beside = [](double metres) {
+    Story story("", kP1Elsewhere);
+    story.flies("marvin", 0, 200, {380, 300, 40}, {380, 300, 40});
+    story.step(20, "elsewhere", "marvin");
+    story.goal("marvin", 701, "perceive P1 60", "received", 1);
+    story.does("marvin",
+               {101, "takeshot", 701, 30, 90, "ended", "visible", {400 + metres, 300, 0}});
+    story.goal("marvin", 701, "perceive P1 60", "achieved", 90);
+    return story.broken("perceived");
+  };
+
+  EXPECT_THAT(looks_beside(12), IsEmpty());
+  EXPECT_THAT(looks_beside(25), ElementsAre(HasSubstr("of 60.0 s")));
+}
+
 TEST(Reached, APlaceIsReachedWhereTheUavWasToldThatItLies) {
   const auto arrives_at = [](Vector3 at) {
     Story story("", kP1Elsewhere);

@@ -75,10 +75,12 @@ class TeamDesk {
   std::set<mission::GoalId> not_yet(const team::GlobalMission& mission) const;
   void give_what_may(mission::MissionId id, MissionTime now, Effects& out);
   void tell_member(const auction::TeamInput& input, MissionTime now, Effects& out);
-  void count_refusals(team::TaskStanding& standing);
-  void tell_news(Effects& out);
-  void tell_hopeless(Effects& out);
-  std::set<mission::GoalId> hopeless_of(const std::set<mission::GoalId>& open) const;
+  const auction::Task* too_late(mission::GoalId task, MissionTime now) const;
+  void count_refusals(team::TaskStanding& standing, MissionTime now);
+  void tell_news(MissionTime now, Effects& out);
+  void tell_hopeless(MissionTime now, Effects& out);
+  std::set<mission::GoalId> hopeless_of(const std::set<mission::GoalId>& open,
+                                        MissionTime now) const;
 
   team::Roster roster_;
   MissionKnowledge knowledge_;
