@@ -79,6 +79,10 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
         journal::record_of({}, name, journal::lines::Notice{.text = "dds: " + line});
     spdlog::warn("{}", json ? journal::to_json(notice) : "dds: " + line);
   };
+  config.on_waiting = [json = options.log_json, name = self.name](const std::string& text) {
+    const auto notice = journal::record_of({}, name, journal::lines::Notice{.text = text});
+    spdlog::info("{}", json ? journal::to_json(notice) : text);
+  };
   return config;
 }
 
