@@ -121,7 +121,7 @@ class DdsBadInput : public ::testing::TestWithParam<Vendors> {
   }
   /// What that node has said of it so far.
   std::vector<std::string> named(const Wrong& wrong) const {
-    const std::string start = "malformed " + std::string(wire::slot_name(wrong.slot)) + " of ";
+    const std::string start = "] " + std::string(wire::slot_name(wrong.slot)) + " of ";
     std::vector<std::string> lines;
     std::ifstream in(run.folder() / "logs" / (wrong.node + ".log"));
     for (std::string line; std::getline(in, line);)

@@ -7,6 +7,7 @@
 #   half            half a file
 #   other-program   of a program that did something else: it shows only when the node is given what is in it
 #   other-bytes     a number in it that the disk gave back as another
+#   in-use          the node runs already: the second process ends at once, and nobody hears of it
 #   read-only       a folder in which nothing can be written
 #   full            a disk that is full from the first minute on
 #   full-for-a-time the same, and after a minute it has room again: nothing is missing then
@@ -70,6 +71,16 @@ esac
 karma first
 says sim "mission started"
 says first "takeoff"
+if [ "$case" = in-use ]; then
+  code=0
+  timeout 20 "$build/bin/skein-ddn" --uav karma --scenario "$scenario" --rate "$rate" --state "$work/state" >"$work/twice.log" 2>&1 || code=$?
+  [ "$code" = 3 ] || fail "the second process ends with $code"
+  says twice "karma.state: another process uses it: karma runs already"
+  ln -s "$work/first.log" "$work/karma.log"
+  to_the_end
+  ! grep -q "of this name\|cannot be reached" "$work/first.log" || fail "the first was disturbed"
+  exit
+fi
 kill -KILL "$last"
 wait "$last" 2>/dev/null || true
 unset 'running[-1]'

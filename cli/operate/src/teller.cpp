@@ -22,7 +22,8 @@ void Teller::tell(const wire::OperatorReply& reply) {
     if (was_delivered(one.state)) tell(one, CommandState::kDelivered);
     tell(one, one.state);
   }
-  const bool is_done = reply.accepted && reply.complete && reply.commands.empty();
+  const bool is_done =
+      reply.accepted && reply.complete && reply.problems.empty() && reply.commands.empty();
   if (is_done && !std::exchange(done_, true)) out_ << "done" << std::endl;
 }
 

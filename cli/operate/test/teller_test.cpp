@@ -75,7 +75,11 @@ TEST(Teller, DoesNotSayThatWhatWasRefusedIsDone) {
   reply.complete = true;
 
   Teller(out).tell(reply);
+  EXPECT_EQ(out.str(), "");
 
+  reply.accepted = true;
+  reply.problems = {"no plan of 'marvin' is held"};
+  Teller(out).tell(reply);
   EXPECT_EQ(out.str(), "");
 }
 

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include "skein/export_tool/export.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/joined.hpp"
+#include "skein/foundation/nearest.hpp"
 #include "skein/journal/lines/run.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/laws/waiting.hpp"
@@ -189,6 +191,18 @@ std::string types_problem(const Scenario& scenario, const RunOptions& options) {
   return "--types needs a node on Cyclone DDS, which alone announces types: --dds cyclonedds";
 }
 
+// Who starts a node by hand may have misspelt it.
+std::string without_problem(const Scenario& scenario, const RunOptions& options) {
+  std::vector<std::string> names = scenario.uav_names();
+  names.insert(names.end(), {"ground", "sim"});
+  for (const auto& [uav, layer] : scenario.functional_layers()) names.push_back(layer);
+  for (const std::string& name : options.without)
+    if (std::ranges::find(names, name) == names.end())
+      return "--without: no node '" + name + "' in this scenario" +
+             did_you_mean(nearest_name(name, names));
+  return "";
+}
+
 }  // namespace
 
 int run(const RunOptions& options, std::ostream& out, std::ostream& err) {
@@ -197,7 +211,7 @@ int run(const RunOptions& options, std::ostream& out, std::ostream& err) {
     err << to_text(scenario.error());
     return kExitBadInput;
   }
-  for (const auto& problem_of : {security_problem, types_problem}) {
+  for (const auto& problem_of : {security_problem, types_problem, without_problem}) {
     if (const std::string problem = problem_of(*scenario, options); !problem.empty()) {
       err << problem << '\n';
       return kExitBadInput;
@@ -210,8 +224,9 @@ int run(const RunOptions& options, std::ostream& out, std::ostream& err) {
     return kExitOk;
   }
   const std::string folder = options.out.empty() ? "out/" + scenario->name : options.out;
-  if (auto prepared = prepare_folder(folder); !prepared) {
-    err << prepared.error().why << '\n';
+  const auto claimed = prepare_folder(folder);
+  if (!claimed) {
+    err << claimed.error().why << '\n';
     return kExitSystem;
   }
   return play(*scenario, options, folder, out, err);

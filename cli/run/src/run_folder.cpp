@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -98,10 +103,24 @@ report::RunInfo run_info(const scenario::Scenario& scenario, bool virtual_time, 
   return info;
 }
 
-Result<void, Failure> prepare_folder(const std::string& folder) {
+std::optional<ClaimedFolder> ClaimedFolder::claim(const std::string& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  ClaimedFolder claimed(descriptor);
+  if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    return std::nullopt;
+  return claimed;
+}
+
+ClaimedFolder::~ClaimedFolder() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+Result<ClaimedFolder, Failure> prepare_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(fs::path(folder) / "logs", error);
   if (error) return failure("cannot create " + folder + ": " + error.message());
+  auto claimed = ClaimedFolder::claim(folder);
+  if (!claimed) return failure(folder + ": a run goes on there; --out names another folder");
   for (const char* name :
        {"events.jsonl", "run.json", "world.json", "report.html", "junit.xml", "result.json"}) {
     fs::remove(fs::path(folder) / name, error);
@@ -109,7 +128,7 @@ Result<void, Failure> prepare_folder(const std::string& folder) {
   for (const auto& log : fs::directory_iterator(fs::path(folder) / "logs", error)) {
     if (log.path().extension() == ".log") fs::remove(log.path(), error);
   }
-  return {};
+  return std::move(*claimed);
 }
 
 Result<std::string, Failure> write_folder(const std::string& folder,

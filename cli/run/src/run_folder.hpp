@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "skein/foundation/result.hpp"
@@ -18,8 +19,28 @@ namespace skein::run_tool {
 report::RunInfo run_info(const scenario::Scenario& scenario, bool virtual_time, double wall_seconds,
                          const std::vector<journal::Record>& records = {});
 
-/// Creates the folder (and its parents) if needed and empties it of the results of an earlier run.
-Result<void, Failure> prepare_folder(const std::string& folder);
+/// A folder that is this run's alone as long as the object lives; the kernel gives it back when the
+/// process ends, however.
+class ClaimedFolder {
+ public:
+  /// None where another run has claimed it. A file system without locks claims nothing.
+  static std::optional<ClaimedFolder> claim(const std::string& folder);
+  ClaimedFolder(ClaimedFolder&& other) noexcept
+      : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  ClaimedFolder& operator=(ClaimedFolder&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
+  ~ClaimedFolder();
+
+ private:
+  explicit ClaimedFolder(int descriptor) : descriptor_(descriptor) {}
+  int descriptor_;
+};
+
+/// Creates the folder (and its parents) if needed, claims it, and empties it of the results of an
+/// earlier run. A run that goes on there is a failure, and keeps what it has.
+Result<ClaimedFolder, Failure> prepare_folder(const std::string& folder);
 
 /// Writes events.jsonl, run.json, scenario.yaml (a copy that can be run from there: names of files
 /// lead to where they are), and from them report.html, junit.xml and result.json. Gives the text of

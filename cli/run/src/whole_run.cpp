@@ -62,7 +62,8 @@ int exit_code_of(const WholeRun& run) {
 
 Result<void, Failure> keep_run(const std::string& folder, const scenario::Scenario& scenario,
                                const std::string& text, const WholeRun& run) {
-  if (auto prepared = prepare_folder(folder); !prepared) return prepared;
+  const auto claimed = prepare_folder(folder);
+  if (!claimed) return tl::unexpected(claimed.error());
   const auto written = write_folder(
       folder, scenario, run_info(scenario, true, 0, run.played.records), run.played.records, text);
   if (!written) return tl::unexpected(written.error());

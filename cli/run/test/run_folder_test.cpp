@@ -56,6 +56,22 @@ TEST(PrepareFolder, RemovesTheResultsOfAnEarlierRunAndNothingElse) {
   EXPECT_TRUE(exists(folder / "logs/notes.txt"));
 }
 
+TEST(PrepareFolder, LeavesARunThatGoesOnThereAsItIs) {
+  const Folder folder;
+  {
+    const auto first = prepare_folder(folder.text());
+    ASSERT_TRUE(first.has_value());
+    write_text(folder / "logs/sim.log", "its own");
+
+    const auto second = prepare_folder(folder.text());
+
+    ASSERT_FALSE(second.has_value());
+    EXPECT_THAT(second.error().why, ::testing::HasSubstr("a run goes on there"));
+    EXPECT_TRUE(exists(folder / "logs/sim.log"));
+  }
+  EXPECT_TRUE(prepare_folder(folder.text()).has_value());
+}
+
 TEST(PrepareFolder, WhereNoFolderCanBeIsAFailureThatNamesIt) {
   const auto prepared = prepare_folder("/dev/null/out");
 

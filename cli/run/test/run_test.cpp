@@ -165,6 +165,19 @@ TEST(Run, WrongOverridesAndAWrongAssemblyGiveTwo) {
   EXPECT_FALSE(exists(folder / "out"));
 }
 
+TEST(Run, WithoutANodeThatTheScenarioDoesNotHaveGivesTwo) {
+  const Folder folder;
+  std::ostringstream out;
+  std::ostringstream err;
+  RunOptions options = virtual_run(kConfirmed, (folder / "out").string());
+  options.without = {"sim", "marvn"};
+
+  EXPECT_EQ(run(options, out, err), kExitBadInput);
+
+  EXPECT_THAT(err.str(), HasSubstr("no node 'marvn' in this scenario; did you mean 'marvin'?"));
+  EXPECT_FALSE(exists(folder / "out"));
+}
+
 TEST(Run, AScenarioThatIsNotThereGivesTwo) {
   std::ostringstream out;
   std::ostringstream err;

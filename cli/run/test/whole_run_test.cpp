@@ -62,10 +62,21 @@ TEST(WholeRun, WhoseExpectationIsNotMetHasNotPassed) {
   EXPECT_EQ(whole.played.records[0].kind(), "expectation");
 }
 
-TEST(InterruptGuard, RemembersThatItWasAskedForAndNothingOfBefore) {
+TEST(InterruptGuard, WhatIsToOutliveItsTerminalDoes) {
+  const auto before = std::signal(SIGHUP, SIG_IGN);  // as nohup does
   {
     const InterruptGuard guard;
-    std::raise(SIGINT);
+    std::raise(SIGHUP);
+    EXPECT_FALSE(InterruptGuard::interrupted());
+  }
+  std::signal(SIGHUP, before);
+}
+
+TEST(InterruptGuard, RemembersThatItWasAskedForAndNothingOfBefore) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const InterruptGuard guard;
+    EXPECT_FALSE(InterruptGuard::interrupted());
+    std::raise(signal);
     EXPECT_TRUE(InterruptGuard::interrupted());
   }
 

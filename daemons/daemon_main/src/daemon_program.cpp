@@ -79,6 +79,10 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
         journal::record_of({}, name, journal::lines::Notice{.text = "dds: " + line});
     spdlog::warn("{}", json ? journal::to_json(notice) : "dds: " + line);
   };
+  config.on_waiting = [json = options.log_json, name = self.name](const std::string& text) {
+    const auto notice = journal::record_of({}, name, journal::lines::Notice{.text = text});
+    spdlog::info("{}", json ? journal::to_json(notice) : text);
+  };
   return config;
 }
 
@@ -182,6 +186,13 @@ struct Attempt {
   bool keeps = true;  ///< a memory, if it is asked for
 };
 
+/// If one is asked for.
+Memory memory_of(const Options& options, const Attempt& attempt, const std::string& name) {
+  if (options.state.empty() || !attempt.keeps) return {};
+  return open_memory(options.state,
+                     {name, identity_of_mission(options.scenario, options.overrides)});
+}
+
 /// If it is to; false: it was said why it cannot.
 bool can_do_without_world(const Options& options, const node::Member& self) {
   if (options.world || self.role != wire::Role::kSim) return true;
@@ -214,10 +225,10 @@ std::optional<int> run(const DaemonProgram& program, const Options& options, Att
   const std::string& name = self->name;
   set_pattern(options, name);
   ServiceManager manager;
-  Memory memory;
-  if (!options.state.empty() && attempt.keeps) {
-    memory = open_memory(options.state,
-                         {name, identity_of_mission(options.scenario, options.overrides)});
+  const Memory memory = memory_of(options, attempt, name);
+  if (!memory.in_use.empty()) {
+    std::cerr << memory.in_use << '\n';
+    return kExitSystem;
   }
   node::DaemonConfig config = daemon_config(options, *scenario, *self, roster);
   config.on_turn = [&manager](wire::ClockPhase phase) {

@@ -18,6 +18,18 @@ namespace {
 
 std::string error_text() { return std::generic_category().message(errno); }
 
+int open_to_append(const std::string& path) {
+  return ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+}
+
+/// Whether the open file is the one of that name.
+bool has_name(int file, const std::string& path) {
+  struct stat of_file {};
+  struct stat of_name {};
+  return fstat(file, &of_file) == 0 && stat(path.c_str(), &of_name) == 0 &&
+         of_file.st_dev == of_name.st_dev && of_file.st_ino == of_name.st_ino;
+}
+
 /// A process that was killed, or a full disk, may have left part of a line.
 bool ends_within_line(int file) {
   const off_t size = lseek(file, 0, SEEK_END);
@@ -41,7 +53,7 @@ std::deque<std::string> last_lines(int file, off_t size) {
 }  // namespace
 
 Result<LogFile, Failure> LogFile::open(const std::string& path) {
-  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  const int file = open_to_append(path);
   if (file < 0) return failure(path + ": " + error_text());
   return LogFile(path, file, ends_within_line(file));
 }
@@ -82,6 +94,15 @@ bool LogFile::put(std::string_view text) {
   return true;
 }
 
+void LogFile::follow_name() {
+  if (has_name(file_, path_)) return;
+  const int next = open_to_append(path_);
+  if (next < 0) return;
+  if (!before_) before_ = last_lines(file_, size_before_);
+  close(std::exchange(file_, next));
+  torn_ = ends_within_line(file_);
+}
+
 bool LogFile::had(std::string_view line) {
   if (!before_) before_ = last_lines(file_, size_before_);
   const auto found = std::ranges::find(*before_, line);
@@ -91,6 +112,7 @@ bool LogFile::had(std::string_view line) {
 }
 
 std::string LogFile::append(std::string_view line) {
+  follow_name();
   const std::string text = (torn_ ? "\n" : "") + std::string(line) + "\n";
   if (!put(text)) {
     return lost_++ == 0 ? path_ + " takes no more lines: " + error_text() : std::string();

@@ -15,7 +15,9 @@ namespace skein::daemon_main {
 
 /// Appends lines to a file. Each has been passed to the operating system when append() returns, so
 /// no line is lost if the process ends. A line that could not be written completely (disk full) is
-/// lost as a whole, and the next one begins on a new line. Thread rule: one thread.
+/// lost as a whole, and the next one begins on a new line. Once the file was renamed or removed (by
+/// who rotates logs) the next line begins another one of its name; where none can be made it goes
+/// on with the old one. Thread rule: one thread.
 class LogFile {
  public:
   /// Creates the file, or opens it for appending. The failure has the path and the reason.
@@ -35,6 +37,8 @@ class LogFile {
  private:
   LogFile(std::string path, int file, bool torn);
   bool put(std::string_view text);
+  /// Another file of its name, unless it has it still.
+  void follow_name();
 
   std::string path_;
   int file_ = -1;

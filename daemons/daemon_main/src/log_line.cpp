@@ -43,7 +43,7 @@ constexpr std::array kSentences = {
     Sentence{"message", "{direction} {slot} {sequence} from {from} to {to}"},
     Sentence{"reach", "{peer} {reachable?can be reached|cannot be reached}"},
     Sentence{"link", "radio from {from} to {to} {up?up|down}"},
-    Sentence{"dropped", "malformed {slot} of {origin} refused: {field}: {why}"},
+    Sentence{"dropped", "{slot} of {origin} refused: {field}: {why}"},
     Sentence{"transport", "DDS refuses, on channel {channel}: {why}"},
     Sentence{"unsent", "{slot} to {to} not sent: {why}"},
 };

@@ -14,6 +14,13 @@ namespace skein::daemon_main {
 
 Memory open_memory(const std::string& folder, const store::Identity& identity) {
   Memory memory;
+  auto opened = store::SqliteInputLog::open(folder, identity);
+  if (!opened && opened.error().in_use) {
+    memory.in_use = opened.error().why + ": " + identity.node +
+                    " runs already, and two of one name disturb each other (of another system? "
+                    "then give --state a folder of its own)";
+    return memory;
+  }
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   const auto clock = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
   const auto next = store::next_incarnation(
@@ -24,7 +31,6 @@ Memory open_memory(const std::string& folder, const store::Identity& identity) {
   } else {
     memory.notices.push_back("its incarnation is of the clock: " + next.error().why);
   }
-  auto opened = store::SqliteInputLog::open(folder, identity);
   if (!opened) {
     memory.notices.push_back("nothing outlives this process: " + opened.error().why +
                              "; give --state a folder that it alone writes");

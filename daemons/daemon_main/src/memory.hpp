@@ -17,12 +17,14 @@ struct Memory {
   std::vector<std::string> notices;            ///< for the log
   std::uint64_t incarnation = 0;               ///< of this process; 0: of the clock
   bool first_life = false;                     ///< the folder knows of no life before this one
+  std::string in_use;  ///< why this process must not be the node: another one is; else empty
 };
 
 /// Opens or creates the memory of a node in a folder. A memory that cannot be continued is set
 /// aside; if none can be kept the daemon works without, since a vehicle in flight cannot wait for
-/// the repair of a disk. Both are reported in the notices. Whether the stored inputs fit the node
-/// only shows when they are replayed (refuse()).
+/// the repair of a disk. Both are reported in the notices. A memory that another process uses is
+/// that of the node itself, which runs already: nothing is changed then. Whether the stored inputs
+/// fit the node only shows when they are replayed (refuse()).
 Memory open_memory(const std::string& folder, const store::Identity& identity);
 
 struct Refused {

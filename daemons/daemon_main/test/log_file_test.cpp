@@ -54,6 +54,34 @@ TEST_F(LogFiles, AfterAPieceOfALineItGoesOnWithAWholeOne) {
   EXPECT_EQ(content("a"), "before\ncut sh\none\n");
 }
 
+TEST_F(LogFiles, IsAnotherOfItsNameOnceItWasRenamed) {
+  std::ofstream(path("a")) << "before\n";
+  auto log = LogFile::open(path("a"));
+  ASSERT_TRUE(log.has_value());
+  log->append("one");
+
+  std::filesystem::rename(path("a"), path("a.1"));
+  EXPECT_THAT(log->append("two"), IsEmpty());
+  EXPECT_EQ(content("a.1"), "before\none\n");
+  EXPECT_EQ(content("a"), "two\n");
+  EXPECT_TRUE(log->had("before"));
+
+  std::ofstream(path("a"), std::ios::trunc);
+  EXPECT_THAT(log->append("three"), IsEmpty());
+  EXPECT_EQ(content("a"), "three\n");
+}
+
+TEST_F(LogFiles, GoesOnWithTheOldOneWhereNoneOfItsNameCanBeMade) {
+  std::filesystem::create_directory(path("folder"));
+  auto log = LogFile::open(path("folder/a"));
+  ASSERT_TRUE(log.has_value());
+  log->append("one");
+
+  std::filesystem::rename(path("folder"), path("moved"));
+  EXPECT_THAT(log->append("two"), IsEmpty());
+  EXPECT_EQ(content("moved/a"), "one\ntwo\n");
+}
+
 TEST_F(LogFiles, KnowsWhichLinesItHadInTheirOrder) {
   std::ofstream(path("a")) << "one\ntwo\nof the runtime\nthree\ncut sh";
 

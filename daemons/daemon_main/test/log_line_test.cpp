@@ -62,7 +62,7 @@ TEST(LogLine, LeavesOutPlacesOfFieldsThatAreNotThere) {
                          .with("origin", "node 0")
                          .with("field", "")
                          .with("why", "not CDR version 1")),
-            "[0:09:30] malformed PlanBoard of node 0 refused: not CDR version 1");
+            "[0:09:30] PlanBoard of node 0 refused: not CDR version 1");
 }
 
 }  // namespace

@@ -76,6 +76,12 @@ void GroundNode::tell_team(const gs::TeamDesk::Input& input) {
   for (const auto& effect : team_->handle(input, now_)) tell_or_do(effect);
 }
 
+void GroundNode::carry_out(const gs::GiveGlobalMission& effect) {
+  if (team_) return tell_team(effect);
+  carry_out(gs::GlobalMissionChanged{effect.mission.id, gs::GlobalStage::kRefused,
+                                     "the ground station is in no team"});
+}
+
 void GroundNode::carry_out(const gs::DeclareLost& effect) {
   log(lines::LostUav{effect.uav});
   declared_lost_.insert(effect.uav);

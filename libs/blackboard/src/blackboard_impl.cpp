@@ -313,10 +313,11 @@ void Blackboard::Impl::admit_heartbeat(std::size_t channel, Peer& peer,
     forwarding_->on_heartbeat(over.from, now.steady);
   const std::uint64_t before = peer.incarnation();
   const bool was_refused = peer.known().lives.was_refused(heartbeat.header.incarnation);
+  const bool was_reachable = peer.reachable();
   peer.on_heartbeat(heartbeat, now, out_);
   const bool is_first_again = peer.incarnation() < before;
-  if (is_first_again) {  // of two processes with its number
-    drops_.tell(wire::Slot::kHeartbeat, heartbeat.header, kOfSecond, out_);
+  if (is_first_again) {  // of two processes with its number, the second of which may be gone
+    if (was_reachable) drops_.tell(wire::Slot::kHeartbeat, heartbeat.header, kOfSecond, out_);
     freshness_.return_to(heartbeat.header.origin, peer.incarnation());
     if (forwarding_) forwarding_->forget(peer.channels().number);
   }

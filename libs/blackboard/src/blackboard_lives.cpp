@@ -9,8 +9,9 @@ namespace skein::blackboard {
 
 void Blackboard::Impl::compare_lives(Peer& peer, const wire::Heartbeat& heartbeat, Now now) {
   if (heartbeat.header.incarnation < peer.incarnation()) {
-    if (peer.known().lives.is_former(heartbeat.header.incarnation)) return;
-    peer.on_old_heartbeat();
+    const bool is_former = peer.known().lives.is_former(heartbeat.header.incarnation);
+    if (is_former && peer.reachable()) return;
+    peer.on_old_heartbeat(heartbeat.header.incarnation, now.steady);
     if (peer.known().lives.has_older_rival())
       drops_.tell(wire::Slot::kHeartbeat, heartbeat.header, kOfOlderSecond, out_);
     return;

@@ -126,9 +126,11 @@ void Peer::take_acknowledgement(const wire::Heartbeat& heartbeat, std::vector<In
   is_refused_ = is_refused;
 }
 
-void Peer::on_old_heartbeat() {
+void Peer::on_old_heartbeat(std::uint64_t incarnation, Duration now) {
   heard_old_ = true;
-  session().lives.heard_older();
+  Lives& lives = session().lives;
+  lives.heard_older();
+  if (!reachable_) lives.consider_older(incarnation, line_.silence_limit(), now);
 }
 
 void Peer::become(std::uint64_t incarnation, Duration now) {

@@ -47,8 +47,8 @@ class Peer {
   /// Towards the peer, which never heard this node, it has this incarnation from now on.
   void become(std::uint64_t incarnation, Duration now);
   /// A heartbeat of an older incarnation of the peer arrived. While the latest one is silent, the
-  /// sender is told of it, since it may be a new life with too small a number.
-  void on_old_heartbeat();
+  /// sender is told of it, since it may be a new life with too small a number, or one that goes on.
+  void on_old_heartbeat(std::uint64_t incarnation, Duration now);
 
   void set_outgoing(const ChannelCondition& condition, Now now);
   void set_incoming(const ChannelCondition& condition);

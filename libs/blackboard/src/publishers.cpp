@@ -39,7 +39,9 @@ std::optional<wire::Violation> Publishers::hear(const wire::Heartbeat& heartbeat
   }
   if (incarnation > lives.present().incarnation) follow(from, incarnation, now, out);
   from.has_heartbeats = true;
-  if (incarnation < lives.present().incarnation && !lives.is_former(incarnation)) {
+  const bool is_older = incarnation < lives.present().incarnation;
+  if (is_older && !is_heard(from, now)) lives.consider_older(incarnation, kSilence, now);
+  if (is_older && !lives.is_former(incarnation)) {
     if (++from.older_words < Rival::kWords) return std::nullopt;  // the first may only be late
     return kOfOlderSecond;
   }

@@ -157,7 +157,7 @@ TEST(Lives, ToAPeerThatKnewNoLaterLifeNothingChanges) {
   for (const Reachability& one : lives.all<Reachability>(kPartner)) EXPECT_FALSE(one.restarted);
 }
 
-TEST(Lives, WithoutLeaveToGuessANodeSaysThatItIsTakenForOlderAndStaysWhatItIs) {
+TEST(Lives, WithoutLeaveToGuessANodeSaysThatItIsTakenForOlderAndIsHeardAsWhatItIs) {
   Lives lives;
   lives.start(kUav, 1'000);
   lives.run_for(kLong);
@@ -165,9 +165,12 @@ TEST(Lives, WithoutLeaveToGuessANodeSaysThatItIsTakenForOlderAndStaysWhatItIs) {
   lives.run_for(kLong);
 
   lives.start(kUav, 7);
+  lives.send(kUav, kGround, degree(4));
+  lives.send(kUav, kGround, task_event(1));
   lives.run_for(kLong);
 
-  EXPECT_FALSE(lives[kGround].reachable(kUav.number));
+  EXPECT_TRUE(lives[kGround].reachable(kUav.number));
+  EXPECT_THAT(lives.events(kGround), ElementsAre(1));
   const auto told = lives.all<TakenForOlder>(kUav);
   ASSERT_EQ(told.size(), 2U) << "once for each peer";
   EXPECT_FALSE(told[0].is_next);
@@ -200,11 +203,12 @@ TEST(Lives, OneThatWasHeardDoesNotClimbOverARival) {
 RC_GTEST_PROP(Lives, EachLifeIsHeardWhateverItsClockSays, ()) {
   const auto clocks = *rc::gen::nonEmpty(
       rc::gen::unique<std::vector<std::uint8_t>>(rc::gen::arbitrary<std::uint8_t>()));
+  const bool guesses = *rc::gen::arbitrary<bool>();
   Lives lives;
   std::uint64_t id = 0;
   std::vector<std::uint64_t> sent;
   for (const std::uint8_t clock : clocks) {
-    lives.start(kUav, 1'000 * (1U + clock), true);
+    lives.start(kUav, 1'000 * (1U + clock), guesses);
     lives.run_for(kLong);
     for (const Node& peer : {kGround, kPartner}) RC_ASSERT(lives[peer].reachable(kUav.number));
     for (int i = 0; i < 3; ++i) {

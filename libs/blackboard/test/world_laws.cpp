@@ -133,6 +133,25 @@ TEST_F(WorldLaws, TheSecondIsTheNodeOnceTheFirstIsSilent) {
   EXPECT_TRUE(run_until_heard("of the second"));
 }
 
+// Who begins to listen while two run hears the later one. Once that is gone the other is the node.
+TEST_F(WorldLaws, TheFirstIsHeardAgainByWhoHasHeardTheSecondAlone) {
+  system.kill(kSim);
+  publish(system[kGround], entry(true));
+  system.start_second(kGround);
+  run_for(Duration::milliseconds(500));
+  system.start(kSim);
+  publish(system.second(kGround), line("of the second"));
+  ASSERT_TRUE(run_until_heard("of the second"));
+  run_for(Duration::milliseconds(2'500));
+  system.kill_second(kGround);
+
+  ASSERT_TRUE(system.run_until([&] {
+    publish(system[kGround], line("2"));
+    return lines().back() == "2";
+  }));
+  EXPECT_TRUE(system.run_until([&] { return readiness().size() == 1 && readiness()[0]; }));
+}
+
 TEST_F(WorldLaws, ARestartIsHeardAtOnceAndNotTakenForASecondProcess) {
   system.kill(kGround);
   system.start(kGround);

@@ -107,6 +107,7 @@ void GroundControl::accept(const Input& input, MissionTime now, Effects& out) {
           [&](const OperatorActs& it) { errands_.emplace_back(MissionPlanning::Input(it)); },
           [&](const TeamTaskChanged& it) { errands_.emplace_back(MissionPlanning::Input(it)); },
           [&](const GlobalMissionChanged& it) {
+            desk_.note(it);
             errands_.emplace_back(MissionPlanning::Input(it));
           },
           [&](const OperatorCommand& it) {
@@ -295,6 +296,10 @@ void GroundControl::route(const MissionPlanning::Effect& effect, Effects& out) {
                  [&](const DropHeld& it) { drop(it.uav, out); },
                  [&](const Anomaly& it) { report(it, out); },
                  [&](const PlayRole& it) { errands_.emplace_back(it); },
+                 [&](const GiveGlobalMission& it) {
+                   desk_.note(it);
+                   out.emplace_back(it);
+                 },
                  [&](const auto& it) { out.emplace_back(it); },
              },
              effect);

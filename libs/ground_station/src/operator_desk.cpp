@@ -299,9 +299,32 @@ void OperatorDesk::note(const Anomaly& anomaly) {
   news_.insert(asked->second);
 }
 
+void OperatorDesk::note(const GiveGlobalMission& mission) {
+  const auto asked = asked_by_.find(mission.mission.asked_by);
+  if (asked != asked_by_.end()) given_.insert_or_assign(mission.mission.id, asked->second);
+}
+
+void OperatorDesk::note(const GlobalMissionChanged& change) {
+  const auto given = given_.find(change.mission);
+  if (given == given_.end()) return;
+  const Key key = given->second;
+  given_.erase(given);
+  news_.insert(key);
+  if (change.stage != GlobalStage::kRefused) return;
+  operators_.at(key.first)
+      .requests.at(key.second)
+      .answer.problems.push_back("global mission " + skein::to_text(change.mission) +
+                                 " is refused: " + change.why);
+}
+
 std::vector<OperatorAnswered> OperatorDesk::take_answers() {
   std::vector<OperatorAnswered> answers = std::exchange(refusals_, {});
   for (const auto& [who, number] : std::exchange(news_, {})) {
+    const auto waits = [&](const auto& given) { return given.second == Key(who, number); };
+    if (std::ranges::any_of(given_, waits)) {
+      news_.insert({who, number});
+      continue;
+    }
     OperatorAnswered& answer = operators_.at(who).requests.at(number).answer;
     answer.complete = std::all_of(answer.commands.begin(), answer.commands.end(),
                                   [](const IssuedCommand& one) { return is_settled(one.state); });

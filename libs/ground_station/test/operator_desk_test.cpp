@@ -213,6 +213,32 @@ TEST_F(Desk, TellsOfAnAcceptedRequestWhatCouldNotBeDone) {
   EXPECT_THAT(answer.problems, ElementsAre(HasSubstr("no plan of 'marvin' is held")));
 }
 
+// What the team says of a mission comes after the request was taken on; until then it is not done.
+TEST_F(Desk, AnswersAGlobalMissionOnceTheTeamHasTakenOrRefusedIt) {
+  SendGlobalMission send;
+  send.mission.id = mission::MissionId(2);
+  effects_ = ground_.handle(request("ada", 1, {Action(send)}), at(1));
+  ASSERT_THAT(only<OperatorAnswered>(effects_), IsEmpty());
+  const auto given = only<GiveGlobalMission>(effects_);
+  ASSERT_THAT(given, SizeIs(1));
+  const GlobalMissionChanged refused{given[0].mission.id, GlobalStage::kRefused,
+                                     "task 23: no UAV 'echo'"};
+
+  const auto after = only<OperatorAnswered>(ground_.handle(refused, at(1)));
+
+  ASSERT_THAT(after, SizeIs(1));
+  EXPECT_TRUE(after[0].complete);
+  EXPECT_THAT(after[0].problems,
+              ElementsAre("global mission 2 is refused: task 23: no UAV 'echo'"));
+
+  effects_ = ground_.handle(request("ada", 2, {Action(send)}), at(2));
+  const GlobalMissionChanged taken{send.mission.id, GlobalStage::kGiven, ""};
+  const auto done = only<OperatorAnswered>(ground_.handle(taken, at(2)));
+  ASSERT_THAT(done, SizeIs(1));
+  EXPECT_TRUE(done[0].complete);
+  EXPECT_THAT(done[0].problems, IsEmpty());
+}
+
 TEST_F(Desk, RemembersSoManyRequestsAndKnowsOfOlderOnesThatTheyAreOld) {
   for (std::uint64_t number = 1; number <= OperatorDesk::kRequestsKept + 10; ++number) {
     ask(request("ada", number, {KeepUav{"marvin"}}), 1);  // refused, and so complete

@@ -32,6 +32,7 @@ constexpr Duration kListens = Duration::milliseconds(500);
 constexpr Duration kMostAhead = Duration::milliseconds(3'600'000);
 /// Of a radio's capacity over DDS; its heartbeats, acknowledgements and discovery take the rest.
 constexpr double kShareOfSamples = 0.75;
+constexpr Duration kToldWaiting = Duration::milliseconds(5'000);
 constexpr double kAfterFinish = 2.0;  ///< mission seconds between the end and the clock's end
 
 std::uint64_t incarnation_of_now() {
@@ -57,6 +58,7 @@ class Daemon {
         awaited_(config.awaited.begin(), config.awaited.end()) {
     if (!config.world) awaited_.clear();  // nobody says that he is ready: to be heard is enough
     awaited_.erase(self.name);  // it does not hear itself, and waits for itself in any case
+    not_there_ = awaited_;
   }
 
   Result<DaemonEnd, OpenFailure> run(std::unique_ptr<Node> node) {
@@ -90,6 +92,7 @@ class Daemon {
     while (!waker_.stop_requested()) {
       turn();
       if (config_.on_turn) config_.on_turn(phase());
+      if (config_.on_waiting) tell_what_it_waits_for();
       if (over()) return DaemonEnd::kFinished;
       if (is_unmet()) return DaemonEnd::kUnmet;
       waker_.wait(until_next_wakeup());
@@ -117,6 +120,30 @@ class Daemon {
       const double rate = config_.leads_clock ? config_.rate : follower_.rate();
       config_.companion->turn({now(), rate, phase()});
     }
+  }
+
+  // Who starts the daemons by hand may have forgotten one.
+  void tell_what_it_waits_for() {
+    const Duration steady = Waker::steady_now();
+    if (phase() != wire::ClockPhase::kHolding || steady < next_told_) return;
+    if (next_told_ != Duration()) {
+      const std::string text = what_it_waits_for();
+      if (text != told_waiting_) config_.on_waiting(text);
+      told_waiting_ = text;
+    }
+    next_told_ = steady + kToldWaiting;
+  }
+
+  std::string what_it_waits_for() const {
+    if (!config_.leads_clock)
+      return clock_heard_ ? "waits for the mission to start: not all are ready"
+                          : "waits for the mission to start: its clock is not heard";
+    if (awaited_.empty()) return "the mission waits until this node hears all of its peers";
+    const bool all_there = not_there_.empty();
+    std::string names;
+    for (const std::string& name : all_there ? awaited_ : not_there_)
+      names += (names.empty() ? "" : ", ") + name;
+    return "the mission waits for " + names + (all_there ? ", not ready" : ", not heard of");
   }
 
   /// The clock does not begin before everybody hears it, so that all lives begin with it.
@@ -230,6 +257,7 @@ class Daemon {
       follower_.update(*clock, Waker::steady_now());
       clock_heard_ = true;
     } else if (const auto* entry = std::get_if<wire::DirectoryEntry>(&sample)) {
+      not_there_.erase(entry->name);
       if (entry->ready) awaited_.erase(entry->name);
     } else if (const auto* state = std::get_if<wire::MissionState>(&sample)) {
       if (state->finished) finish();
@@ -325,9 +353,12 @@ class Daemon {
   std::vector<std::pair<journal::Record, LineMark>> unsent_records_;
   bool introduced_as_ready_ = false;
   bool clock_heard_ = false;
-  MissionTime time_of_peers_;  ///< the latest, if there is no world
-  std::set<std::string> awaited_;
+  MissionTime time_of_peers_;        ///< the latest, if there is no world
+  std::set<std::string> awaited_;    ///< not ready
+  std::set<std::string> not_there_;  ///< of them
   Duration next_clock_;
+  Duration next_told_;        ///< steady: when to say what it waits for; zero: not yet waited
+  std::string told_waiting_;  ///< what was said last
   std::optional<LeaderListening> listening_;  ///< leader that comes back: then it leads again
   std::optional<MissionTime> finish_at_;
   std::optional<Duration> finished_at_;

@@ -19,6 +19,7 @@ Waker::Waker() {
   sigemptyset(&signals);
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGHUP);
   sigaddset(&signals, SIGCHLD);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   signal_ = signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC);
@@ -49,7 +50,7 @@ void Waker::wait(std::optional<Duration> timeout) {
   [[maybe_unused]] const auto drained = read(event_, &count, sizeof count);
   signalfd_siginfo info{};
   while (read(signal_, &info, sizeof info) == sizeof info) {
-    if (info.ssi_signo != SIGCHLD) stop_ = true;
+    if (info.ssi_signo == SIGINT || info.ssi_signo == SIGTERM) stop_ = true;
   }
 }
 

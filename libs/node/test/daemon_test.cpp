@@ -104,10 +104,10 @@ class Daemons : public ::testing::TestWithParam<const char*> {
 
   // The records of a daemon by its own account, and what the reader got of them.
   std::vector<std::string> written(const std::string& name) const {
-    std::vector<std::string> lines;
-    std::ifstream in(file_of(name));
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
+    return lines_of(file_of(name));
+  }
+  std::vector<std::string> waits(const std::string& name) const {
+    return lines_of(file_of(name) + ".waits");
   }
   std::vector<std::string> read(const std::string& name) const {
     const auto found = records_.find(roster_.find(name)->number);
@@ -125,6 +125,12 @@ class Daemons : public ::testing::TestWithParam<const char*> {
   std::map<std::string, wire::DirectoryEntry> directory_;
 
  private:
+  static std::vector<std::string> lines_of(const std::string& file) {
+    std::vector<std::string> lines;
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+  }
   std::string file_of(const std::string& name) const {
     return (folder_ / (name + ".jsonl")).string();
   }
@@ -171,6 +177,20 @@ TEST_P(Daemons, TheClockStartsOnceEverybodyIsReady) {
   ASSERT_TRUE(until([&] { return directory_.count("a") > 0 && directory_.at("a").ready; }));
   EXPECT_EQ(directory_.at("sim").role, wire::Role::kSim);
   EXPECT_EQ(clocks_.back().rate, 10);
+}
+
+TEST_P(Daemons, SayOnceWhomTheStartWaitsFor) {
+  start("ground");
+  ASSERT_TRUE(until([&] { return !waits("ground").empty(); }));
+  EXPECT_EQ(waits("ground").front(), "waits for the mission to start: its clock is not heard");
+
+  start("sim");
+  ASSERT_TRUE(until([&] { return !waits("sim").empty() && waits("ground").size() > 1; }));
+  EXPECT_EQ(waits("sim").front(), "the mission waits for a, not heard of");
+  EXPECT_EQ(waits("ground").back(), "waits for the mission to start: not all are ready");
+
+  start("a");
+  EXPECT_TRUE(until([&] { return ticks_read("a") >= 50; }));
 }
 
 TEST_P(Daemons, MissionTimeAdvancesAtTheFollowersInStepWithTheLeaders) {

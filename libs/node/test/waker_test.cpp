@@ -80,6 +80,15 @@ TEST_P(StopSignal, EndsAWaitAndIsRemembered) {
 }
 INSTANTIATE_TEST_SUITE_P(Signals, StopSignal, ::testing::Values(SIGTERM, SIGINT));
 
+TEST(Waker, AClosedTerminalDoesNotStop) {
+  Waker waker;
+
+  pthread_kill(pthread_self(), SIGHUP);
+  waker.wait(std::nullopt);
+
+  EXPECT_FALSE(waker.stop_requested());
+}
+
 TEST(Waker, TheEndOfAChildWakesButDoesNotStop) {
   Waker waker;
   const pid_t child = fork();

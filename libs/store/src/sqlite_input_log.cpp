@@ -287,22 +287,25 @@ class SqliteInputLog::Impl {
 SqliteInputLog::SqliteInputLog(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 SqliteInputLog::~SqliteInputLog() = default;
 
-Result<Opened, Failure> SqliteInputLog::open(const fs::path& folder, const Identity& identity,
-                                             std::uint64_t largest) {
+Result<Opened, NotOpened> SqliteInputLog::open(const fs::path& folder, const Identity& identity,
+                                               std::uint64_t largest) {
+  const auto not_opened = [](std::string why, bool in_use = false) {
+    return tl::unexpected(NotOpened{std::move(why), in_use});
+  };
   std::error_code error;
   fs::create_directories(folder, error);
   const Files files = files_of(folder, identity.node);
   auto lock = std::make_unique<Lock>(files.lock);
   if (!lock->opened())
-    return failure(files.lock.string() + ": " + std::generic_category().message(errno));
-  if (!lock->held()) return failure(files.state.string() + ": another process uses it");
+    return not_opened(files.lock.string() + ": " + std::generic_category().message(errno));
+  if (!lock->held()) return not_opened(files.state.string() + ": another process uses it", true);
   auto impl = std::make_unique<Impl>(files, identity, std::move(lock), largest);
   try {
     std::string aside = impl->open();
     return Opened{std::unique_ptr<SqliteInputLog>(new SqliteInputLog(std::move(impl))),
                   std::move(aside)};
   } catch (const std::exception& thrown) {
-    return tl::unexpected(failure_of(files.state, thrown));
+    return not_opened(failure_of(files.state, thrown).why);
   }
 }
 

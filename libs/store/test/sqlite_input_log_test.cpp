@@ -154,6 +154,7 @@ TEST_F(StateOnDisk, IsOfOneProcessAtATime) {
 
   ASSERT_FALSE(second.has_value());
   EXPECT_THAT(second.error().why, HasSubstr("marvin.state: another process uses it"));
+  EXPECT_TRUE(second.error().in_use);
 }
 
 TEST_F(StateOnDisk, WhereNothingCanBeWrittenSaysSo) {
@@ -163,6 +164,7 @@ TEST_F(StateOnDisk, WhereNothingCanBeWrittenSaysSo) {
 
   ASSERT_FALSE(opened.has_value());
   EXPECT_THAT(opened.error().why, HasSubstr("occupied/marvin.lock: Not a directory"));
+  EXPECT_FALSE(opened.error().in_use);
 }
 
 // ---- what is not gone on from ----

@@ -32,13 +32,14 @@ struct Life {
 /// Another life beside the one that is taken for the peer. It is forgotten after three heartbeat
 /// periods of silence. It is one of these:
 /// - a newcomer: its events came before its first heartbeat, with which it becomes the peer;
-/// - the former life: a later one was heard while it was not yet silent. It becomes the peer again
-///   with kWords new heartbeats over at least two periods, since then it is alive;
+/// - the former life: a later one was heard while it was not yet silent, or it is heard while the
+///   later one is silent. It becomes the peer again with kWords new heartbeats over at least two
+///   periods, since then it is alive;
 /// - a second process, which is refused: the former life has become the peer again. It becomes the
 ///   peer once that is silent.
 ///
 /// So a restart is followed at once, and of two processes that run at the same time the one that
-/// was heard first is the peer. Source: docs/decisions/0072.
+/// was heard first is the peer. Source: docs/decisions/0072, 0129.
 struct Rival {
   /// New heartbeats of the former life that show that it is alive: some may only be late.
   static constexpr int kWords = 3;

@@ -17,6 +17,15 @@ void Lives::forget_silent_rival(Duration silence, Duration now) {
   if (rival_ && now - rival_->life.last_heard >= silence) rival_.reset();
 }
 
+void Lives::consider_older(std::uint64_t incarnation, Duration silence, Duration now) {
+  forget_silent_rival(silence, now);
+  if (rival_) return;
+  rival_ =
+      std::make_unique<Rival>(Rival{.life = Life(config_->self, self_incarnation_), .since = now});
+  rival_->life.incarnation = incarnation;
+  rival_->life.last_heard = now;
+}
+
 Life* Lives::with(std::uint64_t incarnation, bool reachable, Duration now) {
   const bool is_later = incarnation > present_.incarnation;
   if (is_former(incarnation)) return &rival_->life;

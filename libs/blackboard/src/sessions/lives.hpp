@@ -41,6 +41,9 @@ class Lives {
   /// The former life has said something new. Whether it is the present one again.
   bool former_goes_on(Duration silence, Duration now);
   void forget_silent_rival(Duration silence, Duration now);
+  /// While the present life is silent, a heartbeat of an older one came, which is none of the
+  /// lives: it is the former life from now on, and has still to show that it is alive.
+  void consider_older(std::uint64_t incarnation, Duration silence, Duration now);
   /// A heartbeat of the present incarnation came; `restarted`: it is another one than before.
   void heard_present(bool restarted);
   /// A heartbeat of an older incarnation came, which is none of the lives.

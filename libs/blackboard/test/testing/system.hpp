@@ -38,6 +38,7 @@ class System {
   void start_second(const Node& node) { start_process(second_of(node), node); }
   /// The process of the node dies: nothing of it remains.
   void kill(const Node& node) { nodes_.erase(node.number); }
+  void kill_second(const Node& node) { nodes_.erase(second_of(node)); }
 
   Blackboard& operator[](const Node& node) { return *nodes_.at(node.number).blackboard; }
   Blackboard& second(const Node& node) { return *nodes_.at(second_of(node)).blackboard; }

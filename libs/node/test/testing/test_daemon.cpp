@@ -3,8 +3,8 @@
 // System of ground, sim and UAV "a"; sim leads the clock at rate 10. Every mission second the node
 // writes 50 records; at mission second FINISH (0: never) the ground ends the mission and everybody
 // writes 1000 at once, a second later, just before they stop.
-// FILE: where every record of this daemon goes, one line each. Exit: 0 finished, 10 stopped, 3
-// failure.
+// FILE: where every record of this daemon goes, one line each; into FILE.waits what it waits for.
+// Exit: 0 finished, 10 stopped, 3 failure.
 #include <any>
 #include <cstdio>
 #include <cstdlib>
@@ -99,6 +99,9 @@ int main(int argc, char** argv) {
   config.time_limit = MissionTime::seconds(60);
   config.on_record = [&](const skein::journal::Record& record, skein::node::LineMark) {
     file << to_json(record) << "\n" << std::flush;
+  };
+  config.on_waiting = [waits = std::string(argv[4]) + ".waits"](const std::string& text) {
+    std::ofstream(waits, std::ios::app) << text << "\n";
   };
   const MissionTime finish = MissionTime::seconds(std::strtod(argv[3], nullptr));
   const auto end =

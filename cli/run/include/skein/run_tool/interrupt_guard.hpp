@@ -6,8 +6,8 @@
 
 namespace skein::run_tool {
 
-/// While a guard exists, SIGINT (Ctrl-C) and termination requests only set a flag. At most one
-/// guard at a time.
+/// While a guard exists, SIGINT (Ctrl-C), termination requests and the loss of the terminal
+/// (SIGHUP, unless it is ignored already) only set a flag. At most one guard at a time.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -21,6 +21,7 @@ class InterruptGuard {
  private:
   struct sigaction old_int_ {};
   struct sigaction old_term_ {};
+  struct sigaction old_hang_up_ {};
 };
 
 }  // namespace skein::run_tool

@@ -65,7 +65,7 @@ class GroundNode final : public node::Node {
   void tell_team(const ground_station::TeamDesk::Input& input);
   void tell_control(const Input& input);
   bool hear_team(const node::Input& input);
-  void carry_out(const ground_station::GiveGlobalMission& effect) { tell_team(effect); }
+  void carry_out(const ground_station::GiveGlobalMission& effect);
   void carry_out(const ground_station::DeclareLost& effect);
   void carry_out(const ground_station::DeclareFound& effect);
   void tell_if_lost(const std::string& uav);

@@ -61,6 +61,10 @@ class OperatorDesk {
   /// Adds the change of a command, or an anomaly, to the answer of the request that caused it.
   void note(const CommandChanged& change, MissionTime now);
   void note(const Anomaly& anomaly);
+  /// The team is asked whether it takes a mission of a request; until it has said so the request is
+  /// not answered. Why it refuses is added to the answer.
+  void note(const GiveGlobalMission& mission);
+  void note(const GlobalMissionChanged& change);
   /// The answers to requests that have news, or that were repeated, since the last call.
   std::vector<OperatorAnswered> take_answers();
 
@@ -116,7 +120,8 @@ class OperatorDesk {
   std::map<std::string, std::uint64_t> steering_;  ///< id of the next steering task, by UAV
   std::map<std::string, Key> asked_by_;            ///< requests with commands, by `asked_by`
   std::set<Key> news_;
-  std::vector<OperatorAnswered> refusals_;  ///< of malformed requests
+  std::map<mission::MissionId, Key> given_;  ///< global missions that the team has still to take on
+  std::vector<OperatorAnswered> refusals_;   ///< of malformed requests
   std::deque<IssuedCommand> latest_;
 };
 

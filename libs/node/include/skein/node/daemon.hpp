@@ -42,6 +42,9 @@ struct DaemonConfig {
   /// and the lines of the middleware's log. May be empty.
   std::function<void(const journal::Record&, LineMark)> on_record;
   std::function<void(const std::string&)> on_middleware_log;
+  /// Receives what the node waits for, as a sentence, when the mission does not start for five
+  /// seconds, and when that has changed. May be empty.
+  std::function<void(const std::string&)> on_waiting;
   /// Called after every turn of the daemon's loop, several times a second, the first time when the
   /// daemon has joined the domain. For a service manager. May be empty.
   std::function<void(wire::ClockPhase)> on_turn;
@@ -61,7 +64,8 @@ enum class DaemonEnd {
 
 /// Runs the node until the mission is over or a signal asks it to stop. Mission time follows the
 /// clock slot, or the peers; records are published in the journal slot; jobs run in a second
-/// thread. Blocks SIGINT and SIGTERM in the calling thread and in threads that are made later.
+/// thread. Blocks SIGINT, SIGTERM and SIGHUP (which does not stop it) in the calling thread and in
+/// threads that are made later.
 /// Source: spec 1.4, 1.5.
 Result<DaemonEnd, OpenFailure> run_daemon(const Roster& roster, const Member& self,
                                           std::unique_ptr<Node> node, const DaemonConfig& config);

@@ -8,9 +8,10 @@
 
 namespace skein::node {
 
-/// Waits for notices and for SIGINT, SIGTERM and SIGCHLD. It blocks these signals in the calling
-/// thread and in threads made later, so make it before any other thread starts. Thread rule:
-/// notify() from any thread, also from a middleware's callback; it does not block.
+/// Waits for notices and for SIGINT, SIGTERM, SIGHUP and SIGCHLD. It blocks these signals in the
+/// calling thread and in threads made later, so make it before any other thread starts. SIGHUP only
+/// ends a wait: a terminal that is closed does not stop what flies. Thread rule: notify() from any
+/// thread, also from a middleware's callback; it does not block.
 class Waker {
  public:
   Waker();
@@ -20,7 +21,7 @@ class Waker {
 
   void notify() noexcept;
   /// Returns at once if there was a notice since the last wait; otherwise at the first notice or
-  /// signal (SIGCHLD too), or after `timeout` (none: no limit).
+  /// signal (SIGCHLD and SIGHUP too), or after `timeout` (none: no limit).
   void wait(std::optional<Duration> timeout);
   /// True once SIGINT or SIGTERM has come.
   bool stop_requested() const { return stop_; }

@@ -25,6 +25,12 @@ struct Opened {
   std::string set_aside;  ///< if an old file was not used: what it is, why, where it is now
 };
 
+/// Why no memory can be kept.
+struct NotOpened {
+  std::string why;
+  bool in_use = false;  ///< another process has it open: the node runs already
+};
+
 /// The memory of a node in one SQLite file in WAL mode: NODE.state in a folder, with the marker
 /// NODE.complete beside it as long as no handled input is missing. Each append is a transaction,
 /// which survives a kill of the process right after it (after a power cut the last ones may be
@@ -47,8 +53,8 @@ class SqliteInputLog final : public node::InputLog {
   /// damaged, of another node or mission, of a newer version, incomplete, or of a mission that is
   /// over, is set aside under another name; beyond kSetAside such files the oldest is deleted. The
   /// failure says why no memory can be kept: folder not writable, in use by another process.
-  static Result<Opened, Failure> open(const std::filesystem::path& folder, const Identity& identity,
-                                      std::uint64_t largest = kLargest);
+  static Result<Opened, NotOpened> open(const std::filesystem::path& folder,
+                                        const Identity& identity, std::uint64_t largest = kLargest);
   ~SqliteInputLog() override;
 
   Result<void, Failure> append(const node::LogEntry& entry) override;
