@@ -66,9 +66,25 @@ bool knows_closed_air(const History& history, const Uav& uav, double at) {
          std::ranges::any_of(uav.closings, [&](const Closing& one) { return one.known <= at + 1; });
 }
 
+/// Without what it passes on of a partner's goal that failed: that is judged where it did.
+std::string own_words(const History& history, const std::string& why) {
+  for (const auto& [name, partner] : history.uavs) {
+    const std::string before = "'" + name + "' takes no part: ";
+    const std::size_t at = why.find(before);
+    if (at == std::string::npos) continue;
+    const std::string quoted = why.substr(at + before.size());
+    for (const auto& [id, goal] : partner.goals)
+      for (const Change& one : goal.changes)
+        if (!one.why.empty() && quoted.starts_with(one.why))
+          return why.substr(0, at) + before + quoted.substr(one.why.size());
+  }
+  return why;
+}
+
 // Why a reason cannot be true; nothing when truth does not contradict it.
 std::optional<std::string> contradiction(const History& history, const Uav& uav,
-                                         const std::string& why, double at) {
+                                         const std::string& said, double at) {
+  const std::string why = own_words(history, said);
   if (why.empty()) return "it gives no reason";
   if (names_a_goal_twice(uav, why)) return "it names a goal twice over";
   // A plan of one UAV that contradicts itself is the planner's, not the mission's.

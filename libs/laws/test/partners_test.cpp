@@ -216,6 +216,23 @@ TEST(ReasonsLaw, WhatAPartnerSaidOfSilenceIsThePartnersWord) {
   EXPECT_THAT(passed_on("task 1002 aborted"), ElementsAre(HasSubstr("'heliv' never said so")));
 }
 
+// Found by random missions (12): heliv's mission had a time, marvin's had none.
+TEST(ReasonsLaw, WhyAPartnersGoalFailedIsJudgedThere) {
+  const std::string word = "gotoxyz of goal 8 must start before 852 s";
+  const auto passed_on = [&](const std::string& said) {
+    Story story;
+    story.goal("marvin", 7, kMeeting, "under-way", 100)
+        .goal("marvin", 7, kMeeting, "failed", 800, "'heliv' takes no part: " + said)
+        .stands("marvin", 0, 2000);
+    story.goal("heliv", 8, std::string(kMeeting) + " [start-before 852]", "received", 90)
+        .goal("heliv", 8, std::string(kMeeting) + " [start-before 852]", "failed", 100, word);
+    return story.stands("heliv", 0, 2000).broken("reasons");
+  };
+  EXPECT_THAT(passed_on(word), IsEmpty());
+  EXPECT_THAT(passed_on("it must start before 700 s"),
+              ElementsAre(HasSubstr("nothing asked of it has a time")));
+}
+
 // Found by storms (agreed-places/pursuit 601): it was still on its way out of its role.
 TEST(ReasonsLaw, WhyAPartnerLeavesAJointTaskIsItsWord) {
   const std::string word = "no contact with 'marvin' since 274 s";
