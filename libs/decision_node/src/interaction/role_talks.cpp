@@ -104,11 +104,13 @@ bool RoleTalks::decided(const interaction::Terms& terms,
   return roles_agreed(terms, outcome);
 }
 
-// What was promised is settled with whom it was promised to.
+// What was promised is settled with whom it was promised to. Who is left alone does not hurry to
+// take all: somebody may be back before the session is over.
 void RoleTalks::lose() {
   roles_stand_until_.reset();
   for (const auto& [action, subject] : std::map(actions_)) {
-    if (!sharing_.asks(action)) continue;
+    const auto parties = my_.parties_of(course_.play().role(), action, self_);
+    if (!sharing_.asks(action) || parties.size() < 2) continue;
     interaction_.withdraw(subject, "somebody is lost");
     sharing_.renew(now());
   }

@@ -13,6 +13,7 @@ using interaction::NegotiationOutcome;
 using testing::all;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::SizeIs;
 using Kind = NegotiationOutcome::Kind;
 
@@ -170,6 +171,7 @@ TEST_F(ScoutsTalk, RolesDoNotStandOnceSomebodyIsLost) {
 // Found by random missions (--sharing 70): the session with who is lost lasted until nobody had any
 // patience left.
 TEST_F(ScoutsTalk, WhatIsBeingSharedIsSharedAmongThoseWhoAreLeftOnceSomebodyIsLost) {
+  course_.my.holders["karma"] = "scout";
   talks_.negotiate("divide");
   course_.at(230);
   course_.my.holders.erase("heliv");
@@ -180,8 +182,22 @@ TEST_F(ScoutsTalk, WhatIsBeingSharedIsSharedAmongThoseWhoAreLeftOnceSomebodyIsLo
   course_.at(245);
   talks_.time_passes();
 
-  EXPECT_THAT(course_.told, ElementsAre("divide ended"));
-  EXPECT_NEAR(share_.area_left(), 200 * 200, 1) << "alone";
+  const auto said = all<SendNegotiation>(course_.host.bus().end());
+  ASSERT_THAT(said, Not(IsEmpty()));
+  EXPECT_THAT(said.back().message.terms.members, ElementsAre("karma", "marvin"));
+  EXPECT_THAT(course_.told, IsEmpty()) << "it has all the patience that it had at first";
+}
+
+// Found by area-sharing/one-back: it took all that two had left, and they were back 20 s later.
+TEST_F(ScoutsTalk, WhoIsLeftAloneWaitsUntilTheSessionIsOver) {
+  talks_.negotiate("divide");
+  course_.at(30);
+  course_.my.holders.erase("heliv");
+
+  talks_.lose();
+
+  EXPECT_EQ(talks_.next_wakeup(), std::nullopt);
+  EXPECT_THAT(course_.told, IsEmpty());
 }
 
 TEST_F(ScoutsTalk, RolesThatAreNotAgreedOnAbortTheAction) {
