@@ -189,4 +189,16 @@ std::set<std::string> shared_areas(const History& history, const interaction::Va
   return areas;
 }
 
+std::vector<Look> looks_for(const History& history, const std::string& joint) {
+  std::vector<Look> looks;
+  for (const RoleTaskTold& task : history.joint.tasks) {
+    if (task.joint != joint) continue;
+    const Uav& uav = history.uavs.at(task.uav);
+    for (const Activity& look : uav.activities) {
+      if (look.task == task.task && look.looks()) looks.push_back({&uav, &look});
+    }
+  }
+  return looks;
+}
+
 }  // namespace skein::laws

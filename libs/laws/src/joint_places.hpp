@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "checks.hpp"
 #include "skein/laws/history.hpp"
 #include "skein/laws/violation.hpp"
 
@@ -29,6 +30,9 @@ std::set<std::string> shared_areas(const History& history, const interaction::Va
 /// Parameters of the variant by name: words of "model(a b c) of x, y", lists of UAVs left out.
 std::map<std::string, std::string> arguments_of(const std::string& joint,
                                                 const interaction::Variant& variant);
+
+/// What members looked at for a joint task.
+std::vector<Look> looks_for(const History& history, const std::string& joint);
 
 /// Violations of constraints between a distance and a number, among those that `told` names, at its
 /// position. `slack`: tolerance, since known positions of partners are a little old [m].

@@ -227,19 +227,6 @@ std::string not_watched(const History& history, const std::string& joint,
 
 // ---- what was mapped ----
 
-/// What members looked at for a joint task.
-std::vector<Look> looks_for(const History& history, const std::string& joint) {
-  std::vector<Look> looks;
-  for (const RoleTaskTold& task : history.joint.tasks) {
-    if (task.joint != joint) continue;
-    const Uav& uav = history.uavs.at(task.uav);
-    for (const Activity& look : uav.activities) {
-      if (look.task == task.task && look.looks()) looks.push_back({&uav, &look});
-    }
-  }
-  return looks;
-}
-
 /// By all members together.
 std::string not_mapped(const History& history, const std::string& joint,
                        const interaction::Variant& variant) {

@@ -35,12 +35,8 @@ std::optional<Wait> wait_for(const History& history, const JointTold& told) {
 /// Until when a UAV looks at the area of a joint task.
 double looks_until(const History& history, const Held& held) {
   double until = 0;
-  const Uav& uav = history.uavs.at(held.uav);
-  for (const RoleTaskTold& task : history.joint.tasks) {
-    if (task.joint != held.joint || task.uav != held.uav) continue;
-    for (const Activity& look : uav.activities)
-      if (look.task == task.task && look.looks()) until = std::max(until, look.until);
-  }
+  for (const Look& one : looks_for(history, held.joint))
+    if (one.uav->name() == held.uav) until = std::max(until, one.look->until);
   return std::min(until, held.until);
 }
 

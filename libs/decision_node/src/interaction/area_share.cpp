@@ -22,10 +22,9 @@ using world::Vector3;
 constexpr const char* kRound = "round";
 constexpr const char* kLeft = "left";
 constexpr const char* kTaken = "taken";  // with whose it was
-constexpr const char* kArea = "area";
-constexpr double kCovered = 0.95;      // of a part: somebody else has it
-constexpr std::size_t kLookAhead = 3;  // way-points, some of which may lie within one step
-constexpr double kNothing = 1;         // [m²]
+constexpr double kCovered = 0.95;        // of a part: somebody else has it
+constexpr std::size_t kLookAhead = 3;    // way-points, some of which may lie within one step
+constexpr double kNothing = 1;           // [m²]
 
 /// One side of a line.
 Polygon below(const Polygon& polygon, const Vector2& normal, double highest) {
@@ -77,6 +76,14 @@ std::optional<int> round_of(const Rows& left) {
                      left.front().numbers.size() == 1 && left.front().numbers[0] >= 1 &&
                      left.front().numbers[0] <= interaction::kMostDivisions;
   return tells ? std::optional(static_cast<int>(left.front().numbers[0])) : std::nullopt;
+}
+
+/// The row by which the session shares anew what this member has left; null: it does not.
+const Row* anew_of(const std::string& uav, const interaction::Terms& terms) {
+  const auto anew = std::ranges::find_if(terms.parameters, [&](const Row& row) {
+    return row.name == interaction::kAnew && row.text == uav;
+  });
+  return anew == terms.parameters.end() ? nullptr : &*anew;
 }
 
 /// Across its longest leg from a point on.
@@ -261,10 +268,8 @@ Rows AreaShare::to_share() const {
 }
 
 std::string AreaShare::outdated(const interaction::Terms& terms) const {
-  const auto anew = std::ranges::find_if(terms.parameters, [&](const Row& row) {
-    return row.name == interaction::kAnew && row.text == self_;
-  });
-  if (anew == terms.parameters.end()) {
+  const Row* anew = anew_of(self_, terms);
+  if (anew == nullptr) {
     const bool comes = agreed() && newcomers_.contains(terms.opener);
     return comes ? "'" + terms.opener + "' does not know yet what it has left" : "";
   }
@@ -293,12 +298,10 @@ bool AreaShare::yield_to(const std::string& uav, const Rows& left) {
 Result<Rows, Failure> AreaShare::offer(const interaction::Terms& terms,
                                        const SweepSetting& setting) const {
   if (std::string why = outdated(terms); !why.empty()) return failure(std::move(why));
-  const bool gives_its_own = std::ranges::any_of(terms.parameters, [&](const Row& row) {
-    return row.name == interaction::kAnew && row.text == self_;
-  });
   const supervisor::Knowledge& knowledge = *setting.knowledge;
   const auto swath = supervisor::shared_swath_of(knowledge, setting.device);
   if (!swath) return failure(swath.error());
+  const bool gives_its_own = anew_of(self_, terms) != nullptr;
   const auto before = sweeps_over(gives_its_own ? std::vector<Polygon>{} : own_left(), setting);
   if (!before) return tl::unexpected(before.error());
   const double home = supervisor::least_to_come_home(knowledge, *setting.world, setting.now,

@@ -18,6 +18,9 @@
 
 namespace skein::decision_node {
 
+/// The name of a row that is an area to share.
+inline constexpr const char* kArea = "area";
+
 /// The input of planning a sweep.
 struct SweepSetting {
   std::shared_ptr<const supervisor::Knowledge> knowledge;

@@ -195,6 +195,17 @@ std::vector<std::string> Joint::others(const std::string& self) const {
   return others;
 }
 
+interaction::JointTaskStatus status_of(const Joint& joint, const std::string& uav) {
+  interaction::JointTaskStatus status;
+  status.uav = uav;
+  status.subject = joint.subject;
+  status.task = joint.task.value();
+  status.model = joint.model;
+  status.variant = joint.variant->name;
+  status.hash = joint.hash;
+  return status;
+}
+
 std::optional<Joint> among(const Joint& joint, const std::vector<std::string>& members) {
   const interaction::Variant* variant =
       variant_for(joint.library->models.at(joint.model), members.size());

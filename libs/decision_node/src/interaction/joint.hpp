@@ -15,6 +15,7 @@
 #include "skein/interaction/scm_monitor.hpp"
 #include "skein/mission/elementary_plan.hpp"
 #include "skein/mission/high_level_task.hpp"
+#include "skein/negotiation/joint_task_status.hpp"
 
 namespace skein::decision_node {
 
@@ -54,6 +55,9 @@ std::optional<std::string> difference(const Joint& joint, const std::string& oth
 Result<Joint, Failure> joint_of(const mission::ElementaryTask& task,
                                 const std::shared_ptr<const interaction::Library>& library,
                                 const std::string& self, const std::vector<std::string>& team);
+
+/// What that UAV tells its partners of the joint task, without what becomes of it.
+interaction::JointTaskStatus status_of(const Joint& joint, const std::string& uav);
 
 /// The same joint task for a subset of its members (`self` included), in the variant for their
 /// number; nothing if there is no such variant.

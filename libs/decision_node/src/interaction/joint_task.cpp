@@ -363,13 +363,7 @@ void JointTask::finish(interaction::JointPhase phase) {
 }
 
 void JointTask::announce() {
-  interaction::JointTaskStatus status;
-  status.uav = self_;
-  status.subject = my_.joint.subject;
-  status.task = my_.joint.task.value();
-  status.model = my_.joint.model;
-  status.variant = my_.joint.variant->name;
-  status.hash = my_.joint.hash;
+  interaction::JointTaskStatus status = status_of(my_.joint, self_);
   status.phase = my_.phase;
   status.why = my_.why;
   status.holders = my_.holders;

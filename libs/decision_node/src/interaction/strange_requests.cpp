@@ -9,13 +9,7 @@ using interaction::JointPhase;
 
 // They wait for it.
 void StrangeRequests::decline(const Joint& joint, const std::string& why) {
-  interaction::JointTaskStatus status;
-  status.uav = host_.config().uav;
-  status.subject = joint.subject;
-  status.task = joint.task.value();
-  status.model = joint.model;
-  status.variant = joint.variant->name;
-  status.hash = joint.hash;
+  interaction::JointTaskStatus status = status_of(joint, host_.config().uav);
   status.phase = JointPhase::kNotLoaded;
   status.why = why;
   const JointTaskChanged told{std::move(status), joint.others(host_.config().uav)};

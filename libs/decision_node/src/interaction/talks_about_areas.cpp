@@ -12,7 +12,6 @@ using Kind = interaction::NegotiationOutcome::Kind;
 using Word = interaction::Status::Word;
 
 // A session. In half of it each reckons the division, beside whatever its computer has to do.
-constexpr const char* kArea = "area";  // a parameter of a session
 constexpr Duration kSharing = Duration::milliseconds(120'000);
 
 // At first the area that the action names, or what is left of it to those who are at it; then what
