@@ -103,19 +103,21 @@ Vector2 across(const refiners::Way& way, std::size_t from) {
 struct Sweeps {
   std::vector<supervisor::AreaSweep> all;
   double seconds = 0, energy = 0;
-  Vector3 end;
+  supervisor::SweepStart end;  ///< of the next one
 };
 
 Result<Sweeps, Failure> sweeps_over(const std::vector<Polygon>& areas,
                                     const SweepSetting& setting) {
-  Sweeps sweeps{{}, 0, 0, setting.state.position};
+  Sweeps sweeps{{}, 0, 0, {setting.state.position}};
   for (const Polygon& area : areas) {
     auto sweep = supervisor::sweep_of(setting.knowledge, setting.world, setting.now, sweeps.end,
                                       area, setting.device);
     if (!sweep) return failure("its part cannot be swept: " + sweep.error());
     sweeps.seconds += sweep->seconds;
     sweeps.energy += sweep->energy;
-    sweeps.end = sweep->way.back();
+    const supervisor::SweepStart& start = sweeps.end;
+    sweeps.end = {sweep->way.back(), start.earliest + sweep->shortest,
+                  start.latest + sweep->longest};
     sweeps.all.push_back(std::move(*sweep));
   }
   return sweeps;
@@ -313,7 +315,7 @@ Result<Rows, Failure> AreaShare::offer(const interaction::Terms& terms,
   sweeper.vehicle.energy.capacity *= spare;
   sweeper.vehicle.energy.reserve = 0;
   sweeper.vehicle.position_precision = world::tracking_spread(knowledge.vehicle);
-  sweeper.start = before->end.head<2>();
+  sweeper.start = before->end.from.head<2>();
   sweeper.altitude = std::min(knowledge.altitude, knowledge.vehicle.ceiling);
   sweeper.swath = *swath;
   sweeper.busy = before->seconds;

@@ -60,6 +60,16 @@ SweepSetting setting_at(const world::Vector3& position, double energy = 1) {
   return setting;
 }
 
+/// The same, where the air over the west is closed from then on, for ten minutes.
+SweepSetting setting_until_closed(double seconds) {
+  SweepSetting setting = setting_at({-50, -20, 60});
+  auto world = std::make_shared<world::World>(*setting.world);
+  world->volumes.push_back(
+      {"V", kWest, 0, 200, {MissionTime::seconds(seconds), MissionTime::seconds(seconds + 600)}});
+  setting.world = world;
+  return setting;
+}
+
 TEST(Between, KeepsWhatLiesBetweenTwoLines) {
   const Polygon strip = between(kWest, Vector2::UnitX(), 50, 80);
 
@@ -77,6 +87,29 @@ TEST(AreaShare, TellsNothingBeforeItIsAgreed) {
 
   EXPECT_FALSE(share.agreed());
   EXPECT_THAT(share.left(), IsEmpty());
+}
+
+// Found by random missions (--sharing 338): its part of two minutes was refused for air that closes
+// ten minutes later.
+TEST(AreaShare, AirThatClosesAfterItsPartIsFlownDoesNotCount) {
+  AreaShare share("heron");
+  share.agree(agreed(kWest, kEast));
+
+  EXPECT_TRUE(share.set_out(setting_until_closed(600)));
+  for (const double early : {0.0, 60.0}) {
+    const auto way = share.set_out(setting_until_closed(early));
+    ASSERT_FALSE(way) << early;
+    EXPECT_THAT(way.error().why, ::testing::HasSubstr("V"));
+  }
+}
+
+TEST(AreaShare, OfTwoPartsTheSecondIsFlownLater) {
+  AreaShare share("heron");
+  share.agree(agreed(kEast, {{400, 0}, {600, 0}, {600, 200}, {400, 200}}));
+  share.agree(agreed(kWest, kEast));
+
+  EXPECT_TRUE(share.set_out(setting_until_closed(900)));
+  EXPECT_FALSE(share.set_out(setting_until_closed(250)));
 }
 
 TEST(AreaShare, AllOfItsPartIsLeftUntilSomeIsFlown) {

@@ -16,6 +16,8 @@ namespace {
 constexpr std::uint64_t kSeed = 1;
 /// Of a device that sees as far as its lanes ask for.
 constexpr double kFar = 10;
+/// What a sweep may begin late, in air that it is given late [s].
+constexpr double kLate = 60;
 constexpr Duration kLooks = Duration::milliseconds(500);
 
 Answer<const world::SensorModel*> device_of(const Knowledge& knowledge, const std::string& name) {
@@ -28,21 +30,11 @@ double height_of(const Knowledge& knowledge) {
   return std::min(knowledge.altitude, knowledge.vehicle.ceiling);
 }
 
-}  // namespace
-
-Result<AreaSweep, std::string> sweep_of(const std::shared_ptr<const Knowledge>& knowledge,
-                                        const std::shared_ptr<const world::World>& world,
-                                        MissionTime now, const Vector3& from,
-                                        const world::Polygon& area, const std::string& device) {
-  const auto sensor = device_of(*knowledge, device);
-  if (!sensor) return no(sensor.error());
-  const auto reach = footprint(**sensor, height_of(*knowledge));
-  if (!reach) return no(reach.error());
-  Refinery refinery(Gazetteer(knowledge, world), now, kSeed);
-  refinery.sweeps.let_swing();
-  const auto lanes = refinery.sweeps.over(from, {"", area}, **sensor);
+Answer<AreaSweep> sweep_in(Refinery& refinery, const Vector3& from, const world::Zone& zone,
+                           const world::SensorModel& device, const Departure& when) {
+  const auto lanes = refinery.sweeps.over(from, zone, device, when);
   if (!lanes) return no(lanes.error());
-  const auto there = refinery.ways.path(from, lanes->way.front());
+  const auto there = refinery.ways.path(from, lanes->way.front(), when);
   if (!there) return no(there.error());
   AreaSweep sweep;
   sweep.way = there->way;
@@ -50,8 +42,31 @@ Result<AreaSweep, std::string> sweep_of(const std::shared_ptr<const Knowledge>& 
   if (!sweep.way.empty()) sweep.way.pop_back();
   sweep.way.insert(sweep.way.end(), lanes->way.begin(), lanes->way.end());
   sweep.seconds = there->times.expected + lanes->times.expected;
+  sweep.shortest = there->times.least + lanes->times.least;
+  sweep.longest = there->times.most + lanes->times.most;
   sweep.energy = there->energy + lanes->energy;
-  sweep.reach = *reach;
+  return sweep;
+}
+
+}  // namespace
+
+Result<AreaSweep, std::string> sweep_of(const std::shared_ptr<const Knowledge>& knowledge,
+                                        const std::shared_ptr<const world::World>& world,
+                                        MissionTime now, const SweepStart& start,
+                                        const world::Polygon& area, const std::string& device) {
+  const auto sensor = device_of(*knowledge, device);
+  if (!sensor) return no(sensor.error());
+  const auto reach = footprint(**sensor, height_of(*knowledge));
+  if (!reach) return no(reach.error());
+  Refinery refinery(Gazetteer(knowledge, world), now, kSeed);
+  refinery.sweeps.let_swing();
+  auto sweep = sweep_in(refinery, start.from, {"", area}, **sensor, {});
+  if (!sweep && refinery.air.has_windows()) {
+    const Departure in_time{start.earliest, start.latest + kLate};
+    if (auto other = sweep_in(refinery, start.from, {"", area}, **sensor, in_time))
+      sweep = std::move(other);
+  }
+  if (sweep) sweep->reach = *reach;
   return sweep;
 }
 

@@ -19,16 +19,24 @@ struct AreaSweep {
   refiners::Way way;      ///< from the UAV's starting position to the last lane's end [m, ENU]
   std::size_t lanes = 0;  ///< index in `way` of the first lane's first point
   double seconds = 0;     ///< expected
-  double energy = 0;      ///< expected, as a fraction of the full capacity
-  double reach = 0;       ///< how far the device sees to each side of a lane [m]
+  double shortest = 0, longest = 0;  ///< [s]
+  double energy = 0;                 ///< expected, as a fraction of the full capacity
+  double reach = 0;                  ///< how far the device sees to each side of a lane [m]
 };
 
-/// The way from `from` to the area and over it, as the autopilot flies it, clear of closed air.
-/// Errors, in words: the UAV has no such device, or the refiners find no way. Cost: that of
-/// planning a mapping, some milliseconds.
+/// Where a sweep begins, and when, after the time of planning [s].
+struct SweepStart {
+  world::Vector3 from = world::Vector3::Zero();  ///< [m, ENU]
+  double earliest = 0, latest = 0;
+};
+
+/// The way from its start to the area and over it, as the autopilot flies it, clear of air that is
+/// closed now or later; if there is none, of what is closed while it is flown, when it begins up to
+/// a minute late. Errors, in words: the UAV has no such device, or the refiners find no way. Cost:
+/// that of planning one or two mappings, some milliseconds.
 Result<AreaSweep, std::string> sweep_of(const std::shared_ptr<const Knowledge>& knowledge,
                                         const std::shared_ptr<const world::World>& world,
-                                        MissionTime now, const world::Vector3& from,
+                                        MissionTime now, const SweepStart& start,
                                         const world::Polygon& area, const std::string& device);
 
 /// Distance between two lanes of a mapping with the device, at the UAV's usual altitude [m].
