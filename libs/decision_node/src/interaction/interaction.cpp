@@ -78,6 +78,7 @@ EarlierAttempts Interaction::attempts_at(const std::string& subject) const {
     const EarlierAttempts one = task->before();
     all.has_run = all.has_run || one.has_run;
     all.waits_since = earliest(all.waits_since, one.waits_since);
+    all.asked_at = earliest(all.asked_at, one.asked_at);
     all.engaged.insert(one.engaged.begin(), one.engaged.end());
   }
   return all;

@@ -19,7 +19,9 @@ EarlierAttempts JointTask::before() const {
   EarlierAttempts before{my_.phase == JointPhase::kAborted && has_run, std::nullopt};
   before.engaged = time_.engaged_partners();
   const bool just_failed = over_since_ && now() <= *over_since_ + kPlannedAgain;
-  if (just_failed && !has_run) before.waits_since = time_.since(now());
+  if (!just_failed || has_run) return before;
+  before.waits_since = time_.since(now());
+  before.asked_at = asked_at_;
   return before;
 }
 

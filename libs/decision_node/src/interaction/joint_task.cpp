@@ -90,7 +90,7 @@ void JointTask::look_at_earlier() {
 }
 
 void JointTask::load(const EarlierAttempts& before) {
-  asked_at_ = now();
+  asked_at_ = before.asked_at.value_or(now());
   time_.follows(before);
   time_.plan(preferences_, now());
   do_without_the_absent();

@@ -135,7 +135,7 @@ class JointTask {
   Newcomers newcomers_;
   bool dispatched_ = false;  ///< the executive has started it
   LoadingTime time_;
-  MissionTime asked_at_;  ///< when it was loaded
+  MissionTime asked_at_;  ///< when it, or the first of the attempts before, was loaded
   Retries retries_;
   bool answered_ = false;  ///< the supervisor was told that it is loaded
   bool roles_known_ = false;

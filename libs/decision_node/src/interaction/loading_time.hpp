@@ -17,6 +17,7 @@ struct EarlierAttempts {
   bool has_run = false;                          ///< and failed
   std::optional<MissionTime> waits_since{};      ///< one that never ran has just failed: since then
   std::map<std::string, MissionTime> engaged{};  ///< partners, and until when, as they said last
+  std::optional<MissionTime> asked_at{};  ///< one that never ran has just failed: its loading
 };
 
 /// Until it is to start at the latest; where that is not said, some time after it could have: its

@@ -69,6 +69,24 @@ TEST_F(Attempts, OneThatIsMadeLaterHasALeaseOfItsOwn) {
   EXPECT_THAT(host.not_loaded, SizeIs(2));
 }
 
+// Found by random missions (--sharing 329): tried for a minute each time, it never had done without
+// who refused it, and its partners had.
+TEST_F(Attempts, WhoHasTakenNoPartSinceTheFirstIsNotWaitedForAnew) {
+  host.partners().contact({"heliv", false, true}, host.bus().now());
+  load(7, 50);
+  JointTaskTold refused;
+  refused.status.uav = "heliv";
+  refused.status.subject = testing::joint().subject;
+  refused.status.phase = interaction::JointPhase::kNotLoaded;
+  refused.status.why = "no energy";
+  interaction.hear(refused);
+  run(1, 62);
+  ASSERT_THAT(host.not_loaded, SizeIs(1));
+  load(8, 400);
+  ASSERT_THAT(host.not_loaded, SizeIs(2));
+  EXPECT_EQ(host.not_loaded.back(), "'heliv' takes no part: no energy");
+}
+
 // Found by missions of an outsider (256): the executive was told that it is aborted, which it was.
 TEST_F(Attempts, OneThatGoesOnUnderAnotherNumberWasNotStartedUnderThat) {
   load(7, 400);
