@@ -186,6 +186,7 @@ void JointTask::start_agreed(const interaction::Rows& result) {
   my_.phase = JointPhase::kLoaded;
   my_.why.clear();
   if (!known) answer();
+  announce();  // also where it has passed already
   begin_if_due();
 }
 

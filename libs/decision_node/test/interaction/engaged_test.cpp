@@ -67,6 +67,14 @@ class TwoInARow : public ::testing::Test {
 
   /// What marvin said of it last.
   const JointTaskStatus& of(TaskId id) const { return said_.at(id.value()); }
+  const std::vector<JointPhase>& phases(TaskId id) const { return phases_.at(id.value()); }
+
+  /// The executive asks for it.
+  void due(TaskId id) {
+    host_.bus().begin(now_);
+    interaction_.due(id, false);
+    exchange();
+  }
 
   bool has_first = false;
 
@@ -78,7 +86,11 @@ class TwoInARow : public ::testing::Test {
       const Effects effects = host_.bus().end();
       host_.bus().begin(now_);
       for (const auto& one : all<SendNegotiation>(effects)) to_heliv.push_back(one.message);
-      for (const auto& one : all<JointTaskChanged>(effects)) said_[one.status.task] = one.status;
+      for (const auto& one : all<JointTaskChanged>(effects)) {
+        said_[one.status.task] = one.status;
+        auto& phases = phases_[one.status.task];
+        if (phases.empty() || phases.back() != one.status.phase) phases.push_back(one.status.phase);
+      }
     };
     note();
     while (!to_heliv.empty()) {
@@ -104,6 +116,7 @@ class TwoInARow : public ::testing::Test {
   testing::LoneJointHost host_;
   Interaction interaction_{host_};
   std::map<std::uint64_t, JointTaskStatus> said_;
+  std::map<std::uint64_t, std::vector<JointPhase>> phases_;
   testing::NegotiatingPartner heliv_{[this](const auto& terms) { return offer(terms); }};
 };
 
@@ -123,6 +136,17 @@ TEST_F(TwoInARow, OnceTheFirstIsAgreedOnSoIsTheSecond) {
   run(30);
   EXPECT_EQ(of(kFirst).phase, JointPhase::kLoaded);
   EXPECT_EQ(of(kSecond).phase, JointPhase::kLoaded);
+}
+
+// Found over DDS on a loaded machine: its chronicle went from loading to running.
+TEST_F(TwoInARow, OneThatMayBeginAsItIsAgreedOnIsSaidToBeLoadedAllTheSame) {
+  due(kFirst);
+  has_first = true;
+  run(30);
+  std::vector<JointPhase> first = phases(kFirst);
+  first.resize(3);
+  EXPECT_THAT(first, ::testing::ElementsAre(JointPhase::kLoading, JointPhase::kLoaded,
+                                            JointPhase::kRunning));
 }
 
 TEST_F(TwoInARow, OnceTheFirstIsNotInThePlanAnyMoreTheSecondIsAgreedOn) {
