@@ -197,21 +197,37 @@ double spent_from(const History& history, const Uav& uav) {
   return from;
 }
 
+bool is_the_same(const Goal& one, const Goal& other) {
+  return one.task.name == other.task.name && one.task.arguments == other.task.arguments;
+}
+
 // A partner of the joint task had failed before, for a reason of its own: it makes no offer.
+bool has_failed_before(const Uav& partner, const Goal& goal) {
+  return goal.task.name == "monitoring-with-relay" &&
+         std::ranges::any_of(partner.goals, [&](const auto& one) {
+           const Change& end = one.second.changes.back();
+           return is_the_same(one.second, goal) && one.second.state() == "failed" &&
+                  end.at < goal.changes.back().at && !says(end.why, "offer");
+         });
+}
+
+// It is a member by a list among the arguments, and nobody asked it for the same.
+bool was_never_asked(const Uav& partner, const Goal& goal) {
+  const auto names_it = [&](const mission::Argument& argument) {
+    const auto* members = std::get_if<std::vector<std::string>>(&argument);
+    return members != nullptr && std::ranges::count(*members, partner.name()) > 0;
+  };
+  return std::ranges::any_of(goal.task.arguments, names_it) &&
+         std::ranges::none_of(partner.goals,
+                              [&](const auto& one) { return is_the_same(one.second, goal); });
+}
+
 bool left_alone(const History& history, const Uav& uav, const Goal& goal) {
-  const Change& last = goal.changes.back();
-  if (goal.task.name != "monitoring-with-relay" || !says(last.why, "without an offer"))
-    return false;
-  for (const auto& [name, partner] : history.uavs) {
-    for (const auto& [id, theirs] : partner.goals) {
-      const Change& end = theirs.changes.back();
-      if (name != uav.name() && theirs.task.name == goal.task.name &&
-          theirs.task.arguments == goal.task.arguments && theirs.state() == "failed" &&
-          end.at < last.at && !says(end.why, "offer"))
-        return true;
-    }
-  }
-  return false;
+  return says(goal.changes.back().why, "without an offer") &&
+         std::ranges::any_of(history.uavs, [&](const auto& other) {
+           return other.first != uav.name() &&
+                  (has_failed_before(other.second, goal) || was_never_asked(other.second, goal));
+         });
 }
 
 bool has_deadline(const Uav& uav) {
@@ -242,9 +258,9 @@ bool is_too_steep_for(const History& history, const Uav& uav, const std::string&
 }  // namespace
 
 // In a run in which nothing goes wrong nothing fails, but what has a deadline or no device, is to
-// fly higher than it can, or would make another miss one, waits for who never comes or has failed
-// itself, what has no energy left after those, and what one is to do that keeps to ground of which
-// some is too steep for it, or flies over or behind such and says so.
+// fly higher than it can, or would make another miss one, waits for who never comes, was not asked
+// or has failed itself, what has no energy left after those, and what one is to do that keeps to
+// ground of which some is too steep for it, or flies over or behind such and says so.
 std::vector<Violation> feasible_but_failed(const History& history) {
   std::vector<Violation> result;
   if (!is_clean(*history.scenario)) return result;

@@ -175,6 +175,21 @@ TEST(Feasible, APartnerWhoWaitsInVainItselfIsNotWaitedForUntilItFalls) {
   EXPECT_THAT(broken("achieved"), SizeIs(1));
 }
 
+// Random mission --sharing 328.
+TEST(Feasible, AJointTaskOfWhichAMemberWasNotAskedFails) {
+  const auto broken = [](const std::string& theirs) {
+    const std::string statement = "cooperative-mapping field C1 H 542 (heliv marvin)";
+    Story story;
+    story.goal("marvin", 701, statement, "received", 1).goal("heliv", 801, theirs, "received", 1);
+    story.goal("marvin", 701, statement, "failed", 900,
+               "half the time is over without an offer of heliv");
+    return story.broken("feasible");
+  };
+
+  EXPECT_THAT(broken("cooperative-mapping other C2 H 542 (heliv marvin)"), IsEmpty());
+  EXPECT_THAT(broken("cooperative-mapping field C1 H 542 (heliv marvin)"), SizeIs(1));
+}
+
 TEST(Feasible, APartnerWhoWasNotAskedIsNotWaitedForUntilItFalls) {
   const auto broken = [](const std::string& theirs) {
     Story story;

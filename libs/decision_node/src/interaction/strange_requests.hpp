@@ -14,7 +14,7 @@
 namespace skein::decision_node {
 
 /// Tells partners of joint tasks in which this UAV takes no part, and notes those that they ask for
-/// with other values.
+/// with other values, or for long and in vain.
 class StrangeRequests {
  public:
   /// References that must outlive it.
@@ -23,7 +23,10 @@ class StrangeRequests {
   /// Tells the partners, now and when they ask for it, that this UAV takes no part.
   void decline(const Joint& joint, const std::string& why);
   /// It is asked for here: it is not declined any more.
-  void wanted(const Joint& joint) { declined_.erase(joint.subject); }
+  void wanted(const Joint& joint) {
+    declined_.erase(joint.subject);
+    in_vain_.erase(joint.subject);
+  }
   /// Tells a partner that counts on this UAV that it plays no role: it had one before it came back
   /// without its memory.
   void disown(interaction::JointTaskStatus status);
@@ -41,9 +44,17 @@ class StrangeRequests {
     MissionTime at;
     JointTaskChanged told;
   };
+  struct InVain {
+    MissionTime first, last;
+    bool noted = false;
+  };
+  /// It may be asked for here yet: the missions of a team are given one after the other.
+  void ask_in_vain(const interaction::Terms& terms, const std::string& subject);
+
   JointHost& host_;
   std::map<std::string, Declined> declined_;      ///< by subject
   std::map<std::string, std::string> otherwise_;  ///< by subject
+  std::map<std::string, InVain> in_vain_;         ///< by subject
 };
 
 }  // namespace skein::decision_node

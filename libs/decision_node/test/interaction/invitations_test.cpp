@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <deque>
 
 #include "skein/decision_node/stand_in.hpp"
@@ -66,6 +67,7 @@ class AgreedOnRoles : public ::testing::Test {
     now_ = MissionTime::seconds(12);
   }
 
+  void at(double seconds) { now_ = MissionTime::seconds(seconds); }
   StandInEffects give(const StandInInput& input) { return stand_in_.handle(input, now_); }
 
   /// Sessions about roles that it opens.
@@ -144,6 +146,22 @@ TEST_F(AgreedOnRoles, WhoAsksForTheSameWithOtherValuesIsNamedWithWhatDiffersOnce
 
   EXPECT_THAT(named,
               ElementsAre(watching().subject + ": 'heliv' asks for it with duration 90, not 60"));
+}
+
+// Found by random missions (--sharing 328): who was not asked said nothing of it.
+TEST_F(AgreedOnRoles, WhoAsksForAMinuteForWhatNobodyAsksForHereIsNamedOnce) {
+  std::vector<std::string> named;
+  for (const double opened : {12.0, 40.0, 73.0, 90.0}) {
+    at(opened);
+    SessionMessage message = invitation("heliv", {"heliv", "marvin"}, MissionTime::seconds(opened));
+    message.terms.subject = "watching(lake 0,0,5 60) of heliv, marvin/roles";
+    for (const std::string& notice : notices(give(message)))
+      if (notice.find("lake") != std::string::npos)
+        named.push_back(std::to_string(std::lround(opened)) + ": " + notice);
+  }
+
+  EXPECT_THAT(named, ElementsAre("73: 'heliv' has asked for watching(lake 0,0,5 60) of heliv, "
+                                 "marvin since 12 s, and 'marvin' has no such goal"));
 }
 
 TEST_F(AgreedOnRoles, OfSessionsWithoutEndSoManyAreHeardAndTheRestIsCountedAndNamedOnce) {
