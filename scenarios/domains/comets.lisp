@@ -504,6 +504,10 @@
     take-off-first ((uavloc grounded ?_place)) ((take-off ?tc ?origin) (go ?to ?stay ?tc ?origin))
     fly ((uavloc ?how ?from) (may-move ?how) (may-begin ?tc ?when))
       ((!!lcompute-gotoxyz ?from ?to ?when) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+  ; Another method, and so tried when no plan is found for what comes behind.
+  (:method (go ?to ?stay ?tc ?origin)
+    later ((uavloc grounded ?_place) (may-begin ?tc ?when) (assign ?wait (compute-next-opening ?when)) (call numberp ?wait))
+      ((!!lcompute-stay ?wait) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (go ?to ?stay ?tc ?origin)))
 
   ; To one's place at a meeting: around those where partners may wait already.
   (:method (go-among ?to ?others ?tc ?origin)
@@ -647,7 +651,9 @@
     (:first (uavloc ?_how ?from) (may-begin ?tc ?when) (devices-for mapping ?devices) (assign* ?device ?devices)
       (assign ?entry (compute-sweep-entry ?from ?zone ?device ?when)) (call consp ?entry))
       ((go ?entry 0 ?tc ?origin) (!!lcompute-sweep ?from ?zone ?device ?when ?tc) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
-       (shoot-along ?device () ?tc ?origin)))
+       (shoot-along ?device () ?tc ?origin))
+    ; what is closed while it climbs may be open then
+    take-off-first ((uavloc grounded ?_place)) ((take-off ?tc ?origin) (perform-mapping ?zone ?tc ?origin)))
 
   ; What a mapping does before something that has no other place: that share of the lanes it would fly now, as nearly as they
   ; can be parted. The mapping, which comes behind, has the others left.

@@ -20,6 +20,7 @@ namespace {
 using Value = Result<Term, Failure>;
 
 constexpr double kRounding = 1e-6;  // [0.1 s]
+constexpr double kAtOnce = 0.1;     // [s]
 
 /// (NAME VALUE…) among the parts of an answer.
 std::vector<Term> part_of(const TermStore& store, Term answer, std::string_view name) {
@@ -117,6 +118,19 @@ Value PlannerHost::Services::wait_for_rest(TermStore& store, Arguments arguments
   });
 }
 
+/// (compute-next-opening WHEN): seconds until some volume that is closed for a time opens again;
+/// nil: none does.
+Value PlannerHost::Services::next_opening(TermStore& store, Arguments arguments) {
+  const double now = departure(store, arguments[0]).least;
+  std::optional<double> next;
+  for (const world::Volume& volume : refinery_.air.world().volumes) {
+    if (volume.when.until == MissionTime::max()) continue;
+    const double opens = (volume.when.until - refinery_.air.origin()).to_seconds() - now;
+    if (opens > kAtOnce && (!next || opens < *next)) next = opens;
+  }
+  return next ? number_term(store, std::ceil(*next * 10 - kRounding) / 10) : kNil;
+}
+
 /// (within-reach FROM (LOC…) WHEN STAY): those that there is a way to, from the ground from above
 /// it, at once or after a wait, and where it may stay for so many seconds then.
 Value PlannerHost::Services::within_reach(TermStore& store, Arguments arguments) {
@@ -133,7 +147,8 @@ Value PlannerHost::Services::within_reach(TermStore& store, Arguments arguments)
     const bool serves =
         times && (!refinery_.air.has_windows() ||
                   refinery_.air.may_stay(at, when.after({times->least, 0, times->most}), stay));
-    if (way && !serves) way = wait(store, leg);
+    const std::vector<Term> all_the_way = {arguments[0], leg[1], leg[2], leg[3]};
+    if (way && !serves) way = wait(store, all_the_way);
     if (!way) return way;
     if (*way != kNil) there.push_back(leg[1]);
   }

@@ -169,6 +169,56 @@ TEST(AirWindows, OnTheGroundTheWaitIsThere) {
   EXPECT_GE(plan.tasks[0].duration.least, Duration::seconds(290));
 }
 
+// Found by random missions (--closures --clean 2): by the time that it had waited less the climb
+// the air was closed still, and the mapping was refused.
+TEST(AirWindows, AMappingFromTheGroundWaitsThereUntilTheAirIsOpenWhenItHasClimbed) {
+  PlanningLab lab;
+  lab.first_id(1);
+  lab.world.volumes.push_back(box(-145, 50, -40, 270, 0, 300));
+  lab.task(1, "perform-mapping", {"Z2"s});
+
+  const auto plan = planned(lab);
+
+  ASSERT_THAT(names_of(plan),
+              AnyOf(ElementsAre("wait", "takeoff", "gotoxyz", "gotoxyz", "takeshot"),
+                    ElementsAre("wait", "takeoff", "wait", "gotoxyz", "gotoxyz", "takeshot")));
+  EXPECT_GE(plan.tasks[0].duration.least, Duration::seconds(280));
+}
+
+// Found by random missions (--closures --clean 14): neither place could be waited for at the other.
+TEST(AirWindows, ATourWhosePlacesAreNeverOpenOneAfterTheOtherIsFlownOnceBothAre) {
+  PlanningLab lab;
+  lab.first_id(1);
+  lab.world.volumes.push_back(box(150, -50, 250, 50, 0, 131));
+  lab.world.volumes.push_back(box(-50, 150, 50, 250, 60, 544));
+  lab.task(1, "perform-tour", {Names{"pa", "pb"}});
+  lab.world.places["pa"] = {200, 0, 0};
+  lab.world.places["pb"] = {0, 200, 0};
+
+  const auto plan = planned(lab);
+
+  ASSERT_THAT(names_of(plan),
+              AnyOf(ElementsAre("wait", "wait", "takeoff", "gotoxyz", "gotoxyz"),
+                    ElementsAre("wait", "wait", "takeoff", "wait", "gotoxyz", "gotoxyz")));
+  const Duration on_the_ground = plan.tasks[0].duration.least + plan.tasks[1].duration.least;
+  EXPECT_GE(on_the_ground, Duration::seconds(500));
+}
+
+// Found by random missions (--closures --clean 37): nobody can wait above its pad, but on it.
+TEST(AirWindows, APlaceToLookFromIsWaitedForOnTheGroundWhereTheAirAboveItClosesMeanwhile) {
+  PlanningLab lab;
+  lab.first_id(1);
+  lab.world.volumes.push_back(box(60, -400, 600, 400, 0, 200));
+  lab.world.volumes.push_back(box(-40, -40, 40, 40, 150, 250));
+  lab.world.places["pa"] = {300, 0, 0};
+  lab.task(1, "perceive", {"pa"s, 30.0});
+
+  const auto plan = planned(lab);
+
+  ASSERT_THAT(names_of(plan), ElementsAre("wait", "wait", "takeoff", "gotoxyz", "perception"));
+  EXPECT_GE(plan.tasks[0].duration.least + plan.tasks[1].duration.least, Duration::seconds(220));
+}
+
 TEST(AirWindows, ATakeoffWaitsForTheAirAboveIt) {
   PlanningLab lab;
   lab.first_id(1);
