@@ -38,7 +38,8 @@ struct Options {
        unmerged = false, sweeps = false, meetings = false, orders = false, gatherings = false,
        robots = false, relays = false, partners = false, sharing = false, fires = false,
        hands = false, mixed = false, anything = false, minds = false, busy = false,
-       sweepers = false, json = false, minimise = false, rough = false, verbose = false;
+       sweepers = false, closures = false, json = false, minimise = false, rough = false,
+       verbose = false;
   std::size_t examples = 3;
   std::int64_t capacity = 0;
   double planning_takes = 0;
@@ -72,6 +73,7 @@ Kinds kinds_of(const Options& options) {
 Mission drawn_as_kind(std::uint64_t seed, const Options& options) {
   if (options.meetings) return generate_meetings(seed, kinds_of(options));
   if (options.partners) return generate_partners(seed, kinds_of(options));
+  if (options.closures) return generate_closures(seed, kinds_of(options));
   if (options.sharing) return generate_sharing(seed, kinds_of(options));
   if (options.relays) return generate_relays(seed, kinds_of(options));
   if (options.fires) return generate_fires(seed, kinds_of(options));
@@ -223,6 +225,8 @@ void declare_kinds(CLI::App& app, Options& options) {
                              "partners of joint tasks and synchronisations die or are cut off");
   auto* sharing = app.add_flag("--sharing", options.sharing,
                                "UAVs map areas together, of which somebody leaves or comes late");
+  auto* closures = app.add_flag("--closures", options.closures,
+                                "air closes over places, pads and areas, and opens again");
   auto* fires =
       app.add_flag("--fires", options.fires, "fires spread, and their fronts are followed");
   auto* hands = app.add_flag("--hands", options.hands,
@@ -243,8 +247,8 @@ void declare_kinds(CLI::App& app, Options& options) {
                "with --anything: an operator flies UAVs by hand in the middle of their tasks, "
                "stops them to think, aborts all, closes and opens air")
       ->needs(anything);
-  const std::vector<CLI::Option*> all{team,  crossing, sweepers, meetings, robots, relays,
-                                      apart, sharing,  fires,    hands,    mixed,  anything};
+  const std::vector<CLI::Option*> all{team,    crossing, sweepers, meetings, robots, relays,  apart,
+                                      sharing, closures, fires,    hands,    mixed,  anything};
   for (auto* one : all)
     for (auto* other : all)
       if (one != other) one->excludes(other);

@@ -103,6 +103,19 @@ TEST(Generate, SharedMappingsAreScenariosInWhichWhoTakesPartIsCutOffDiesOrIsTake
     EXPECT_THAT(all, HasSubstr(part));
 }
 
+TEST(Generate, ClosuresAreScenariosInWhichAirClosesAndOpensOverWhatIsAskedFor) {
+  std::string all;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const std::string text = to_yaml(generate_closures(seed, {}), "..");
+    EXPECT_EQ(to_yaml(generate_closures(seed, {}), ".."), text);
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    all += text;
+  }
+  for (const char* part : {"perform-tour, [P1, P2, P3", "perform-mapping, Z1", "from: 0, until: ",
+                           "close_air: {name: smoke-1", "open_air: {name: smoke-1"})
+    EXPECT_THAT(all, HasSubstr(part));
+}
+
 TEST(Generate, SweepsOfCrossingMissionsChangeNothingElse) {
   Kinds kinds;
   kinds.sweeps = true;

@@ -112,6 +112,12 @@ TEST(RandomMissions, UavsThatMapTogetherWithoutOneForAWhileKeepTheLaws) {
   EXPECT_EQ(breaches(deaths, missions() / 10, generate_sharing), "");
 }
 
+// Over what they are to do, their pads and their ways, from the start or as they fly.
+TEST(RandomMissions, UavsOverWhichAirClosesForATimeKeepTheLaws) {
+  EXPECT_EQ(breaches(kClean, missions() / 5, generate_closures), "");
+  EXPECT_EQ(breaches({}, missions() / 5, generate_closures), "");
+}
+
 // However plans are kept consistent, dates are foretold and kept.
 TEST(RandomMissions, UavsThatMeetKeepTheLawsByEachAlgorithm) {
   for (const char* consistency : {"dip-l", "dip-g", "cip"}) {

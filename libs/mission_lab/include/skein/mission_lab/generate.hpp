@@ -76,6 +76,11 @@ Mission generate_fires(std::uint64_t seed, const Kinds& kinds);
 /// them in hand, change degrees, abort. Ways are merged in some. Of the kinds, changes (errors),
 /// air, alarms, degrees, radio, faults, deaths and merged count.
 Mission generate_orders(std::uint64_t seed, const Kinds& kinds);
+/// Likewise one to four UAVs at degree 4 with tours, areas and places to look at, over which, over
+/// their pads and on their ways air closes for a time: known before or, with the kind air, by an
+/// operator in flight. Of the kinds, air, deadlines, radio, faults, energy, deaths and merged
+/// count.
+Mission generate_closures(std::uint64_t seed, const Kinds& kinds);
 /// All of it at once: three to seven vehicles in the air and on the ground, some at degree 5 with a
 /// global mission, the others at 4 with missions of their own, meetings and joint tasks, over fires
 /// that spread, past relays, with ways that are merged or not, while operators take vehicles in
