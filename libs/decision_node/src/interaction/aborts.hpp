@@ -15,7 +15,8 @@ namespace skein::decision_node {
 enum class AbortedFor : std::uint8_t {
   kRole,    ///< the role has no use for it any more
   kAnew,    ///< it is begun again at once, as another one
-  kNothing  ///< it would be flown in vain: its device has failed, or air closes on its way
+  kAir,     ///< air closes on its way
+  kNothing  ///< it would be flown in vain: its device has failed
 };
 
 /// The tasks of roles that this node aborts and of which it has not heard since that they are over.

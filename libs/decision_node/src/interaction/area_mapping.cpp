@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interaction/area_mapping.hpp"
 
+#include <cmath>
+
+#include "interaction/area_cutting.hpp"
 #include "interaction/role_tasks.hpp"
 
 namespace skein::decision_node {
@@ -37,10 +40,28 @@ void AreaMapping::map(const std::string& componel) {
   if (!share_.nobodys().empty()) course_.tell(interaction::Message{kMemberLost});
   const SweepSetting setting = this->setting(course_.play().role());
   const auto way = share_.set_out(setting);
+  if (!way && way.error().opens) return wait(componel, way.error());
   if (!way) return course_.fail(componel, way.error().why);
   if (way->empty()) return course_.tell_status(componel, interaction::Status::Word::kEnded);
   const executive::TaskId flight = course_.give(componel, flight_along(*way));
   course_.give(componel, look_along(flight, setting.device), flight);
+}
+
+bool AreaMapping::goes_on_after(executive::TaskId task) {
+  if (waits_.erase(task) > 0) return true;
+  share_.flown();
+  return share_.area_left() > kNoArea;
+}
+
+void AreaMapping::wait(const std::string& componel, const supervisor::NoSweep& refused) {
+  const Duration length = *refused.opens - host_.bus().now();
+  host_.bus().emit(Notice{my_.joint.subject + ": " + componel + ": " + refused.why +
+                          "; it waits until air is open again, " +
+                          std::to_string(std::lround(length.to_seconds())) + " s"});
+  executive::Task wait;
+  wait.type = "wait";
+  wait.parameters.add("duration", length.to_seconds());
+  waits_.insert(course_.give(componel, std::move(wait)));
 }
 
 void AreaMapping::see() {

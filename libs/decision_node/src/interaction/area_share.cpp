@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "interaction/area_cutting.hpp"
 #include "skein/supervisor/area_sweep.hpp"
 #include "skein/supervisor/way_home.hpp"
 #include "skein/world/segment.hpp"
@@ -21,39 +22,10 @@ using world::Vector3;
 
 constexpr const char* kRound = "round";
 constexpr const char* kLeft = "left";
-constexpr const char* kTaken = "taken";  // with whose it was
-constexpr double kCovered = 0.95;        // of a part: somebody else has it
-constexpr std::size_t kLookAhead = 3;    // way-points, some of which may lie within one step
-constexpr double kNothing = 1;           // [m²]
-
-/// One side of a line.
-Polygon below(const Polygon& polygon, const Vector2& normal, double highest) {
-  Polygon kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double over_a = a.dot(normal) - highest, over_b = b.dot(normal) - highest;
-    if (over_a <= 0) kept.push_back(a);
-    if ((over_a < 0 && over_b > 0) || (over_a > 0 && over_b < 0))
-      kept.push_back(a + (b - a) * (over_a / (over_a - over_b)));
-  }
-  return kept;
-}
-
-/// The area that two convex polygons have in common [m²].
-double common_area(Polygon one, const Polygon& other) {
-  double signed_area = 0;
-  for (std::size_t i = 0; i < other.size(); ++i) {
-    const Vector2 &a = other[i], &b = other[(i + 1) % other.size()];
-    signed_area += a.x() * b.y() - a.y() * b.x();
-  }
-  const double outwards = signed_area > 0 ? 1 : -1;
-  for (std::size_t i = 0; i < other.size() && !one.empty(); ++i) {
-    const Vector2 along = other[(i + 1) % other.size()] - other[i];
-    const Vector2 normal = outwards * Vector2(along.y(), -along.x());
-    one = below(one, normal, other[i].dot(normal));
-  }
-  return one.size() < 3 ? 0 : world::area(one);
-}
+constexpr const char* kTaken = "taken";                     // with whose it was
+constexpr double kCovered = 0.95;                           // of a part: somebody else has it
+constexpr Duration kSoon = Duration::milliseconds(60'000);  // closed when it sets out
+constexpr std::size_t kLookAhead = 3;  // way-points, some of which may lie within one step
 
 /// Whether nearly all of a polygon lies in others that do not overlap.
 bool is_covered(const Polygon& polygon, const std::vector<Polygon>& others) {
@@ -99,35 +71,57 @@ Vector2 across(const refiners::Way& way, std::size_t from) {
   return {-longest.y(), longest.x()};
 }
 
-/// Sweeps of pieces one after the other.
-struct Sweeps {
-  std::vector<supervisor::AreaSweep> all;
+/// Sweeps of pieces one after the other, and the pieces of which there is none now, with the first
+/// reason.
+struct Outing {
+  struct Swept {
+    Polygon area;
+    supervisor::AreaSweep sweep;
+  };
+  std::vector<Swept> swept;
+  std::vector<Polygon> held_back;
+  std::optional<supervisor::NoSweep> why;
   double seconds = 0, energy = 0;
   supervisor::SweepStart end;  ///< of the next one
+
+  bool add(const Polygon& area, const SweepSetting& setting) {
+    auto sweep = supervisor::sweep_of(setting.knowledge, setting.world, setting.now, end, area,
+                                      setting.device);
+    if (!sweep) {
+      if (!why) why = sweep.error();
+      if (why && sweep.error().opens) why->opens = earliest(why->opens, *sweep.error().opens);
+      return false;
+    }
+    seconds += sweep->seconds;
+    energy += sweep->energy;
+    end = {sweep->way.back(), end.earliest + sweep->shortest, end.latest + sweep->longest};
+    swept.push_back({area, std::move(*sweep)});
+    return true;
+  }
 };
 
-Result<Sweeps, Failure> sweeps_over(const std::vector<Polygon>& areas,
-                                    const SweepSetting& setting) {
-  Sweeps sweeps{{}, 0, 0, {setting.state.position}};
+/// Where a piece cannot be swept as a whole, closed air is cut out of it.
+Outing outing_over(const std::vector<Polygon>& areas, const SweepSetting& setting) {
+  Outing outing;
+  outing.end = {setting.state.position};
+  const auto swath = supervisor::shared_swath_of(*setting.knowledge, setting.device);
   for (const Polygon& area : areas) {
-    auto sweep = supervisor::sweep_of(setting.knowledge, setting.world, setting.now, sweeps.end,
-                                      area, setting.device);
-    if (!sweep) return failure("its part cannot be swept: " + sweep.error());
-    sweeps.seconds += sweep->seconds;
-    sweeps.energy += sweep->energy;
-    const supervisor::SweepStart& start = sweeps.end;
-    sweeps.end = {sweep->way.back(), start.earliest + sweep->shortest,
-                  start.latest + sweep->longest};
-    sweeps.all.push_back(std::move(*sweep));
+    if (outing.add(area, setting)) continue;
+    std::vector<Polygon> beside{area};
+    for (const world::Volume& volume : setting.world->volumes)
+      if (swath && volume.polygon.size() > 2 &&
+          volume.when.overlaps({setting.now, setting.now + kSoon}))
+        cut_out(volume.polygon, *swath / 2, beside, outing.held_back);
+    for (Polygon& part : beside) {
+      const bool is_all = beside.size() == 1 && world::area(part) >= world::area(area) - kNoArea;
+      if (is_all || !outing.add(part, setting)) outing.held_back.push_back(std::move(part));
+    }
   }
-  return sweeps;
+  if (outing.why) outing.why->why = "its part cannot be swept: " + outing.why->why;
+  return outing;
 }
 
 }  // namespace
-
-Polygon between(const Polygon& polygon, const Vector2& normal, double lowest, double highest) {
-  return below(below(polygon, normal, highest), -normal, -lowest);
-}
 
 // ---- what is left ----
 
@@ -149,7 +143,7 @@ std::vector<Polygon> AreaShare::own_left() const {
   std::vector<Polygon> all;
   for (const Piece& piece : own_) {
     Polygon left = piece.left();
-    if (world::area(left) > kNothing) all.push_back(std::move(left));
+    if (world::area(left) > kNoArea) all.push_back(std::move(left));
   }
   return all;
 }
@@ -203,7 +197,7 @@ void AreaShare::agree(const Rows& result, const Rows& parameters) {
 void AreaShare::add(Polygon area) {
   for (const auto& [uav, theirs] : lost_) {
     const bool had = theirs.empty() || std::ranges::any_of(theirs, [&](const Polygon& one) {
-                       return common_area(area, one) > kNothing;
+                       return common_area(area, one) > kNoArea;
                      });
     if (had) taken_[uav].push_back(area);
   }
@@ -290,7 +284,7 @@ bool AreaShare::yield_to(const std::string& uav, const Rows& left) {
                              theirs = with(kept_by_, kLeft, "");
   return std::erase_if(own_, [&](const Piece& piece) {
            const Polygon rest = piece.left();
-           return world::area(rest) > kNothing &&
+           return world::area(rest) > kNoArea &&
                   (is_covered(rest, taken) || is_covered(rest, theirs));
          }) > 0;
 }
@@ -304,36 +298,35 @@ Result<Rows, Failure> AreaShare::offer(const interaction::Terms& terms,
   const auto swath = supervisor::shared_swath_of(knowledge, setting.device);
   if (!swath) return failure(swath.error());
   const bool gives_its_own = anew_of(self_, terms) != nullptr;
-  const auto before = sweeps_over(gives_its_own ? std::vector<Polygon>{} : own_left(), setting);
-  if (!before) return tl::unexpected(before.error());
+  const Outing before = outing_over(gives_its_own ? std::vector<Polygon>{} : own_left(), setting);
   const double home = supervisor::least_to_come_home(knowledge, *setting.world, setting.now,
                                                      setting.state.position);
-  const double spare = setting.state.energy - before->energy - home;
+  const double spare = setting.state.energy - before.energy - home;
   if (spare <= 0) return failure("it has no energy for more");
   interaction::Sweeper sweeper;
   sweeper.vehicle = knowledge.vehicle;
   sweeper.vehicle.energy.capacity *= spare;
   sweeper.vehicle.energy.reserve = 0;
   sweeper.vehicle.position_precision = world::tracking_spread(knowledge.vehicle);
-  sweeper.start = before->end.from.head<2>();
+  sweeper.start = before.end.from.head<2>();
   sweeper.altitude = std::min(knowledge.altitude, knowledge.vehicle.ceiling);
   sweeper.swath = *swath;
-  sweeper.busy = before->seconds;
+  sweeper.busy = before.seconds;
   return offer_of(sweeper);
 }
 
-Result<refiners::Way, Failure> AreaShare::set_out(const SweepSetting& setting) {
-  const std::vector<Polygon> areas = own_left();
-  auto sweeps = sweeps_over(areas, setting);
-  if (!sweeps) return tl::unexpected(sweeps.error());
+Result<refiners::Way, supervisor::NoSweep> AreaShare::set_out(const SweepSetting& setting) {
+  Outing outing = outing_over(own_left(), setting);
+  if (outing.swept.empty() && outing.why) return tl::unexpected(*outing.why);
   own_.clear();
   refiners::Way way;
-  for (std::size_t i = 0; i < areas.size(); ++i) {
-    const supervisor::AreaSweep& sweep = sweeps->all[i];
-    const auto first = sweep.way.begin() + static_cast<std::ptrdiff_t>(sweep.lanes);
-    own_.push_back({areas[i], {first, sweep.way.end()}, 0, sweep.reach});
-    way.insert(way.end(), sweep.way.begin() + 1, sweep.way.end());
+  for (Outing::Swept& one : outing.swept) {
+    const refiners::Way& whole = one.sweep.way;
+    const auto first = whole.begin() + static_cast<std::ptrdiff_t>(one.sweep.lanes);
+    way.insert(way.end(), whole.begin() + 1, whole.end());
+    own_.push_back({std::move(one.area), {first, whole.end()}, 0, one.sweep.reach});
   }
+  for (Polygon& area : outing.held_back) own_.push_back({std::move(area)});
   at_ = {setting.state.position};
   return way;
 }
@@ -353,6 +346,8 @@ void AreaShare::fly(const Vector3& to, double reach) {
   }
 }
 
-void AreaShare::flown() { own_.clear(); }
+void AreaShare::flown() {
+  std::erase_if(own_, [](const Piece& piece) { return !piece.lanes.empty(); });
+}
 
 }  // namespace skein::decision_node

@@ -13,6 +13,7 @@
 #include "skein/negotiation/area_offer.hpp"
 #include "skein/negotiation/terms.hpp"
 #include "skein/refiners/flight.hpp"
+#include "skein/supervisor/area_sweep.hpp"
 #include "skein/supervisor/planning.hpp"
 #include "skein/world/vehicle_state.hpp"
 
@@ -75,12 +76,13 @@ class AreaShare {
   /// Refused: no device, no way, no energy; its remainder is not as the session has it.
   Result<interaction::Rows, Failure> offer(const interaction::Terms& terms,
                                            const SweepSetting& setting) const;
-  /// The way over all of this member's remainder, from its position; empty: nothing remains.
-  /// Flights reported from then on reduce the remainder.
-  Result<refiners::Way, Failure> set_out(const SweepSetting& setting);
+  /// The way over this member's remainder, from its position, but for what lies in closed air and
+  /// half a swath around it; empty: nothing remains. Flights reported from then on reduce the
+  /// remainder. Refused: none of it can be swept now.
+  Result<refiners::Way, supervisor::NoSweep> set_out(const SweepSetting& setting);
   /// The vehicle flew straight from its last position to `to`, seeing `reach` [m] to each side.
   void fly(const world::Vector3& to, double reach);
-  /// The vehicle has flown all of the way.
+  /// The vehicle has flown all of the way. What lay in closed air is left.
   void flown();
 
  private:
@@ -110,9 +112,5 @@ class AreaShare {
   std::set<std::string> newcomers_;                 ///< who were taken in, and have no part yet
   std::vector<world::Vector3> at_;                  ///< the last position; empty: unknown
 };
-
-/// The part of a convex polygon in which `lowest` <= its distance along `normal` <= `highest`.
-world::Polygon between(const world::Polygon& polygon, const world::Vector2& normal, double lowest,
-                       double highest);
 
 }  // namespace skein::decision_node

@@ -162,11 +162,15 @@ executive::TaskId Interaction::next_id() {
   return executive::TaskId(host_.first_role_id().value() + ids_.next(host_.bus().now()));
 }
 
+// Of one that is being left there is a next one already, when its plan is made anew.
 JointTask* Interaction::about(const std::string& subject) {
+  JointTask* leaving = nullptr;
   for (const auto& [id, task] : tasks_) {
-    if (!task->over() && task->joint().has(subject)) return task.get();
+    if (task->over() || !task->joint().has(subject)) continue;
+    if (task->phase() != interaction::JointPhase::kLeaving) return task.get();
+    leaving = task.get();
   }
-  return nullptr;
+  return leaving;
 }
 
 // ---- what happens ----
@@ -198,7 +202,7 @@ void Interaction::give_up_closed_ways(const world::VehicleState& state) {
     host_.bus().emit(Notice{"goto " + std::to_string(id.value()) +
                             " of a role is given up: volume '" + closed->name +
                             "' closes on its way"});
-    aborts_.note(id, AbortedFor::kNothing);
+    aborts_.note(id, AbortedFor::kAir);
     host_.run(executive::Abort{id});
   }
 }

@@ -326,17 +326,21 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   const bool ended = event.state == executive::TaskState::kEnded;
   const std::optional<AbortedFor> aborted = interaction_.aborts().take(event.id);
   if (!ended && aborted == AbortedFor::kAnew) return run(componel);
+  const interaction::Automaton& automaton = play_->automaton();
+  const bool maps = is_mapping(*automaton[*automaton.find(componel)].task());
+  if (ended && maps && mapping_.goes_on_after(event.id)) return run(componel);
+  // What lies beside that air is mapped, or it is waited for.
+  const bool is_by_air = !ended && aborted == AbortedFor::kAir;
+  if (is_by_air && maps && !RoleRecord::failed_at_once(ran)) return run(componel);
   const bool asked = aborted == AbortedFor::kRole;
   const bool gave_up =
-      aborted == AbortedFor::kNothing || event.cause == executive::AbortCause::kOther;
+      is_by_air || aborted == AbortedFor::kNothing || event.cause == executive::AbortCause::kOther;
   const bool by_vehicle = !ended && !asked && gave_up;
   if (by_vehicle && begin_again(componel, ran)) return;
   const bool has_no_air = event.cause == executive::AbortCause::kNoAir;
   const bool is_last = has_no_air && nothing_is_left_together();
   if (!ended && !asked && !is_last) record_.aborted(componel, event.reason);
   if (ended) record_.ended(componel);
-  const interaction::Automaton& automaton = play_->automaton();
-  if (ended && is_mapping(*automaton[*automaton.find(componel)].task())) mapping_.share().flown();
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);
   if (is_last) return stay_without_air(componel, event.reason);
   // Else it would wait for its partner in a later meeting of the role, and that for it in this one.

@@ -11,6 +11,22 @@ namespace {
 using world::Vector3;
 
 constexpr Duration kAhead = Duration::milliseconds(30'000);
+constexpr double kBrakes = 5;  // within so many seconds
+
+/// What of a way comes before so much of its length [m].
+std::vector<Vector3> first_of(const std::vector<Vector3>& way, double length) {
+  std::vector<Vector3> first;
+  for (const Vector3& next : way) {
+    const double leg = first.empty() ? 0 : (next - first.back()).norm();
+    if (leg > length) {
+      first.push_back(first.back() + length / leg * (next - first.back()));
+      break;
+    }
+    length -= leg;
+    first.push_back(next);
+  }
+  return first;
+}
 
 }  // namespace
 
@@ -26,7 +42,10 @@ const world::Volume* closed_ahead(const functional::Parameters& flight, const Ve
   for (const world::Volume& volume : volumes) {
     const bool closes = volume.when.overlaps({now, now + kAhead});
     if (!closes || crosses(volume, model.body_radius, at, at)) continue;
-    if (crosses(volume, model.body_radius, rest)) return &volume;
+    const double open_in = (volume.when.until - now).to_seconds();
+    if (crosses(volume, model.body_radius,
+                first_of(rest, model.cruise_speed * (open_in + kBrakes))))
+      return &volume;
   }
   return nullptr;
 }

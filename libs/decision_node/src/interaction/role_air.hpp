@@ -11,9 +11,9 @@
 
 namespace skein::decision_node {
 
-/// The first volume, closed now or within half a minute, that the rest of a goto enters, which
-/// began at `from` [m, ENU]. Null: none, or the vehicle is inside one and has to leave it. Cost:
-/// O(way-points × volumes).
+/// The first volume, closed now or within half a minute, that the rest of a goto enters before it
+/// is open again; the goto began at `from` [m, ENU]. Null: none, or the vehicle is inside one and
+/// has to leave it. Cost: O(way-points × volumes).
 const world::Volume* closed_ahead(const functional::Parameters& flight, const world::Vector3& from,
                                   const world::VehicleState& state,
                                   const world::VehicleModel& model,

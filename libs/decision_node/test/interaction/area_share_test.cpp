@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "interaction/area_cutting.hpp"
+#include "skein/world/segment.hpp"
 #include "skein/world/world_builder.hpp"
 #include "testing/mapping_vehicle.hpp"
 
@@ -70,18 +72,6 @@ SweepSetting setting_until_closed(double seconds) {
   return setting;
 }
 
-TEST(Between, KeepsWhatLiesBetweenTwoLines) {
-  const Polygon strip = between(kWest, Vector2::UnitX(), 50, 80);
-
-  EXPECT_NEAR(world::area(strip), 30 * 200, 1e-9);
-  for (const Vector2& corner : strip) {
-    EXPECT_GE(corner.x(), 50 - 1e-9);
-    EXPECT_LE(corner.x(), 80 + 1e-9);
-  }
-  EXPECT_NEAR(world::area(between(kWest, Vector2::UnitX(), -10, 500)), 40000, 1e-9);
-  EXPECT_LT(world::area(between(kWest, Vector2::UnitX(), 300, 400)), 1e-9);
-}
-
 TEST(AreaShare, TellsNothingBeforeItIsAgreed) {
   const AreaShare share("heron");
 
@@ -96,20 +86,68 @@ TEST(AreaShare, AirThatClosesAfterItsPartIsFlownDoesNotCount) {
   share.agree(agreed(kWest, kEast));
 
   EXPECT_TRUE(share.set_out(setting_until_closed(600)));
-  for (const double early : {0.0, 60.0}) {
-    const auto way = share.set_out(setting_until_closed(early));
-    ASSERT_FALSE(way) << early;
-    EXPECT_THAT(way.error().why, ::testing::HasSubstr("V"));
-  }
 }
 
-TEST(AreaShare, OfTwoPartsTheSecondIsFlownLater) {
+// Found by random missions (--sharing 67): half a minute of closed air over a corner was the end of
+// a mapping of six minutes.
+TEST(AreaShare, AirThatClosesLaterThanItSetsOutIsWatchedInFlight) {
   AreaShare share("heron");
-  share.agree(agreed(kEast, {{400, 0}, {600, 0}, {600, 200}, {400, 200}}));
   share.agree(agreed(kWest, kEast));
 
-  EXPECT_TRUE(share.set_out(setting_until_closed(900)));
-  EXPECT_FALSE(share.set_out(setting_until_closed(250)));
+  EXPECT_TRUE(share.set_out(setting_until_closed(90)));
+}
+
+TEST(AreaShare, WhereAirIsClosedForATimeItIsSaidWhenItOpens) {
+  AreaShare share("heron");
+  share.agree(agreed(kWest, kEast));
+
+  const auto way = share.set_out(setting_until_closed(0));
+
+  ASSERT_FALSE(way);
+  EXPECT_THAT(way.error().why, ::testing::HasSubstr("V"));
+  EXPECT_EQ(way.error().opens, MissionTime::seconds(600));
+  EXPECT_NEAR(share.area_left(), 40000, 1e-6);
+}
+
+// Found by hand (area-sharing/air-closes): smoke over a part of a field was the end of the mapping.
+TEST(AreaShare, WhatLiesBesideClosedAirIsFlownAndTheRestIsLeft) {
+  AreaShare share("heron");
+  share.agree(agreed(kWest, kEast));
+  SweepSetting setting = setting_until_closed(0), open = setting_at({-50, -20, 60});
+  auto world = std::make_shared<world::World>(*setting.world);
+  world->volumes.back().polygon = {{50, 50}, {150, 50}, {150, 150}, {50, 150}};
+  setting.world = world;
+
+  const auto way = share.set_out(setting);
+  ASSERT_TRUE(way) << way.error().why;
+  for (const world::Vector3& at : *way)
+    EXPECT_GT(world::to_polygon(at.head<2>(), world->volumes.back().polygon), 0);
+  share.flown();
+
+  EXPECT_GT(share.area_left(), 100 * 100);
+  EXPECT_LT(share.area_left(), 170 * 170);
+  const auto rest = share.set_out(setting);
+  ASSERT_FALSE(rest) << rest->size() << " " << share.area_left();
+  EXPECT_EQ(rest.error().opens, MissionTime::seconds(600));
+  EXPECT_TRUE(share.set_out(open));
+  share.flown();
+  EXPECT_EQ(share.area_left(), 0);
+}
+
+TEST(AreaShare, WhereAirStaysClosedOrThereIsNoDeviceNothingIsWaitedFor) {
+  AreaShare share("heron");
+  share.agree(agreed(kWest, kEast));
+  SweepSetting for_ever = setting_until_closed(0), blind = for_ever;
+  auto world = std::make_shared<world::World>(*for_ever.world);
+  world->volumes.back().when.until = MissionTime::max();
+  for_ever.world = world;
+  blind.device = "none";
+
+  for (const SweepSetting& setting : {for_ever, blind}) {
+    const auto way = share.set_out(setting);
+    ASSERT_FALSE(way);
+    EXPECT_EQ(way.error().opens, std::nullopt);
+  }
 }
 
 TEST(AreaShare, AllOfItsPartIsLeftUntilSomeIsFlown) {
@@ -461,6 +499,7 @@ TEST(AreaShare, WhoHasNoEnergyOrNoDeviceOffersNothing) {
 TEST(AreaShare, NothingLeftIsNoWay) {
   AreaShare share("heron");
   share.agree(agreed(kWest, kEast));
+  ASSERT_TRUE(share.set_out(setting_at({0, 0, 60})));
   share.flown();
 
   const auto way = share.set_out(setting_at({0, 0, 60}));

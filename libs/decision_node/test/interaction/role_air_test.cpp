@@ -21,7 +21,9 @@ const world::Volume* met(const Vector3& at, const std::vector<double>& waypoints
                          const std::vector<world::Volume>& volumes) {
   world::VehicleState state;
   state.position = at;
-  return closed_ahead({{"waypoints", "", waypoints}}, {0, 0, 40}, state, {}, volumes,
+  world::VehicleModel model;
+  model.cruise_speed = 10;
+  return closed_ahead({{"waypoints", "", waypoints}}, {0, 0, 40}, state, model, volumes,
                       MissionTime::seconds(100));
 }
 
@@ -48,6 +50,13 @@ TEST(ClosedAhead, CountsWhatIsClosedNowOrSoon) {
   EXPECT_NE(met({0, 0, 40}, {250, 0, 40}, {smoke(120, 500)}), nullptr);
   EXPECT_EQ(met({0, 0, 40}, {250, 0, 40}, {smoke(140, 500)}), nullptr);
   EXPECT_EQ(met({0, 0, 40}, {250, 0, 40}, {smoke(50, 90)}), nullptr);
+}
+
+// Found by hand (area-sharing/air-closes): lanes to be flown ten minutes later.
+TEST(ClosedAhead, IsNothingThatIsOpenAgainByTheTime) {
+  const std::vector<double> long_way{0, 400, 40, -400, 400, 40, -400, 0, 40, 250, 0, 40};
+  EXPECT_EQ(met({0, 0, 40}, long_way, {smoke(90, 200)}), nullptr);
+  EXPECT_NE(met({0, 0, 40}, long_way, {smoke(90, 500)}), nullptr);
 }
 
 TEST(ClosedAhead, LetsLeaveWhoIsInIt) {

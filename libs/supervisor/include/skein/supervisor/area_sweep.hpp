@@ -30,14 +30,22 @@ struct SweepStart {
   double earliest = 0, latest = 0;
 };
 
+/// Why there is no sweep, in words; and when air that is closed for a time and in its way is open
+/// again, next.
+struct NoSweep {
+  std::string why;
+  std::optional<MissionTime> opens = {};
+};
+
 /// The way from its start to the area and over it, as the autopilot flies it, clear of air that is
 /// closed now or later; if there is none, of what is closed while it is flown, when it begins up to
-/// a minute late. Errors, in words: the UAV has no such device, or the refiners find no way. Cost:
-/// that of planning one or two mappings, some milliseconds.
-Result<AreaSweep, std::string> sweep_of(const std::shared_ptr<const Knowledge>& knowledge,
-                                        const std::shared_ptr<const world::World>& world,
-                                        MissionTime now, const SweepStart& start,
-                                        const world::Polygon& area, const std::string& device);
+/// a minute late; else of what is closed when it begins: who flies it watches what closes then.
+/// Refused: the UAV has no such device, or the refiners find no way. Cost: that of planning one to
+/// four mappings, some milliseconds.
+Result<AreaSweep, NoSweep> sweep_of(const std::shared_ptr<const Knowledge>& knowledge,
+                                    const std::shared_ptr<const world::World>& world,
+                                    MissionTime now, const SweepStart& start,
+                                    const world::Polygon& area, const std::string& device);
 
 /// Distance between two lanes of a mapping with the device, at the UAV's usual altitude [m].
 /// Errors: no such device, or it sees no ground from that altitude.
