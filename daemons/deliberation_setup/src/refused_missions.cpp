@@ -44,12 +44,15 @@ class Foreseeing {
     const UavSpec* uav = scenario_.find_uav(sent->uav);
     if (uav == nullptr) return;
     around_.vehicle = &uav->model;
+    const std::vector<mission::HighLevelTask>& tasks = sent->mission.tasks;
+    const mission::GoalId first = tasks.empty() ? mission::GoalId() : tasks.front().id;
+    if (tasks.empty()) say(*sent, first, "the mission has no tasks");
     if (!mission::deliberates(uav->degree) && !changed_.contains(uav->name)) {
-      say(*sent, sent->mission.tasks.front().id,
+      say(*sent, first,
           uav->name + " is at degree " + std::to_string(uav->degree) +
               ": missions are planned at degree 4");
     }
-    for (const mission::HighLevelTask& task : sent->mission.tasks) check(*sent, task, begin);
+    for (const mission::HighLevelTask& task : tasks) check(*sent, task, begin);
   }
 
   Diagnostics take() { return std::move(found_); }

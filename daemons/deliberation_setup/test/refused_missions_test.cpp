@@ -85,6 +85,17 @@ TEST(RefusedMissions, WhoNeverDeliberatesIsNamed) {
   EXPECT_EQ(refused(scenario), "");
 }
 
+TEST(RefusedMissions, OneWithoutTasksIsNamedToo) {
+  scenario::Scenario scenario = one_mission();
+  scenario.uavs.at(0).degree = 3;
+  for (auto& step : scenario.ground.script.steps) {
+    for (auto& action : step.actions)
+      if (auto* sent = std::get_if<SendMission>(&action)) sent->mission.tasks.clear();
+  }
+  EXPECT_THAT(refused(scenario), HasSubstr("the mission has no tasks"));
+  EXPECT_THAT(refused(scenario), HasSubstr("karma is at degree 3"));
+}
+
 TEST(DomainWarnings, NameTheDomainsFile) {
   scenario::Scenario scenario = one_mission();
   EXPECT_TRUE(domain_warnings(scenario).empty());
