@@ -14,8 +14,9 @@ namespace {
 
 constexpr const char* kAllocateExamples = R"(
 Examples:
+  echo '{"vehicles":[[0,0],[9,9]],"tasks":[[1,0],[8,8],[4,4]]}' > instances.jsonl
   skein allocate instances.jsonl
-  echo '{"vehicles":[[0,0],[9,9]],"tasks":[[1,0],[8,8],[4,4]]}' | skein allocate - --aim longest
+  skein allocate - --aim longest < instances.jsonl
 Formats: docs/allocation.md. Exit codes: 0 everything is sold, 1 something is not (its line says why), 2 wrong input.)";
 
 }  // namespace

@@ -22,8 +22,9 @@ using Action = std::function<int()>;
 constexpr const char* kFunctionalExamples = R"(
 Examples:
   skein functional scenarios/comets/confirmed.yaml --uav marvin --virtual    the simulator's marvin
-  skein-sim --scenario S --node autopilot --domain 5 &                       any functional layer
-  skein functional S --uav heliv --domain 5                                  checked over DDS
+  sed 's/heliv: {/&functional: autopilot, /' scenarios/comets/confirmed.yaml > scenarios/comets/my.yaml
+  skein-sim --scenario scenarios/comets/my.yaml --node autopilot --domain 5 &   any functional layer
+  skein functional scenarios/comets/my.yaml --uav heliv --domain 5              checked over DDS
 Exit codes: 0 every point of the contract is kept, 1 some are not, 2 wrong input, 3 DDS refused.)";
 
 void add_functional(CLI::App& app, Action& action, const Actions& actions) {
@@ -55,9 +56,10 @@ void add_functional(CLI::App& app, Action& action, const Actions& actions) {
 
 constexpr const char* kStateExamples = R"(
 Examples:
-  skein state show out/confirmed/state/marvin.state            whose it is, what is in it
-  skein state check /var/lib/skein/marvin.state                would a daemon go on from it?
-  skein state export out/confirmed/state/ground.state | head   every input, as JSON lines
+  skein run scenarios/comets/confirmed.yaml                            daemons that remember
+  skein state show out/comets-confirmed/state/marvin.state             whose it is, what is in it
+  skein state check out/comets-confirmed/state/marvin.state            would a daemon go on from it?
+  skein state export out/comets-confirmed/state/ground.state | head    every input, as JSON lines
 Exit codes: 0, 1 a daemon would not go on from it, 2 it cannot be read.)";
 
 void add_state(CLI::App& app, Action& action, const Actions& actions) {

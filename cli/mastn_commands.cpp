@@ -51,6 +51,7 @@ void add_mastn_generate(CLI::App& mastn, Action& action, const Actions& actions)
 
 constexpr const char* kMastnRunExamples = R"(
 Examples:
+  skein mastn generate --agents 3 --nodes 8 --seed 7 > network.json
   skein mastn run network.json --algorithm dip-l
   skein mastn run network.json --algorithm dip-m --delays --cuts --seed 3
   skein mastn generate | skein mastn run - --algorithm cip

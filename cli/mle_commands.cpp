@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* kMleExamples = R"(
 Examples:
-  skein mle trace.jsonl --uav marvin
-  skein mle --until 300 < trace.jsonl | grep '"dispatch"'
+  skein mle tests/golden/mle/example-2-9/in.jsonl --uav marvin
+  skein mle --until 300 < tests/golden/mle/example-2-9/in.jsonl | grep '"dispatch"'
 Formats: cli/mle/README.md. Exit codes: 0, 1 some line was wrong, 2 wrong options or files.)";
 
 }  // namespace

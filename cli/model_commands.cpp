@@ -21,8 +21,8 @@ Examples:
   skein model check scenarios/models/interaction/monitoring-with-relay.yaml
   skein model draw scenarios/models/interaction/vehicle-pursuit.yaml -o pursuit.svg
   skein model edit scenarios/models/interaction/monitoring-with-relay.yaml
-  skein model run automaton.json --until 900 < trace.jsonl
-  skein model run scenarios/models/interaction/monitoring-with-relay.yaml --role relay < trace.jsonl
+  echo '{"at":0,"start":true}' > trace.jsonl
+  skein model run scenarios/models/interaction/monitoring-with-relay.yaml --role relay --until 900 < trace.jsonl
 Formats and how to write a model: docs/interaction.md. Exit codes: 0 done, 1 some line of a trace was
 refused, 2 wrong files or options, 3 the picture cannot be written.)";
 

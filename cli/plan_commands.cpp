@@ -23,14 +23,16 @@ using htn::Which;
 constexpr const char* kPlanExamples = R"(
 Files come before options that may take words (--trace, --optimize-cost). "-" is standard input.
 Examples:
-  skein plan domain.lisp problem.lisp                  the first plan, as SHOP2 finds it
+  cp libs/htn/test/domains/uav.lisp .                  a domain with three problems
+  skein plan uav.lisp --problem one-uav                the first plan, as SHOP2 finds it
   skein plan uav.lisp --problem two-uavs --tree        how the tasks were decomposed, and what needed what
-  skein plan uav.lisp --which best --time-limit 5      the cheapest plan, or the best found in 5 s
+  skein plan uav.lisp --problem one-uav --which best --time-limit 5      the cheapest, or the best found in 5 s
   skein plan uav.lisp --problem too-far --why-not      where the search came furthest and what was missing
   skein plan uav.lisp --problem two-uavs --trace fly   how each task `fly` was tried
-  skein plan uav.lisp --dot plan.dot && dot -Tsvg plan.dot > plan.svg
-  skein plan comets.lisp karma.lisp --world seeds.yaml --vehicle seeds-uav.yaml --taskreq   (scenarios/domains)
-  skein plan uav.lisp --json > plans.jsonl && skein plan uav.lisp --validate plans.jsonl
+  skein plan uav.lisp --problem two-uavs --dot plan.dot && dot -Tsvg plan.dot > plan.svg
+  skein plan uav.lisp --problem two-uavs --json > plans.jsonl
+  skein plan uav.lisp --validate plans.jsonl
+  cd scenarios/domains && skein plan comets.lisp karma.lisp --world seeds.yaml --vehicle seeds-uav.yaml --taskreq
 Guide and formats: docs/planning.md. Exit codes: 0 every problem has a plan (plans valid), 1 some has none
 (not valid), 2 wrong files or options, 4 a limit came first, 130 Ctrl-C (the best plan so far is shown).)";
 

@@ -23,8 +23,8 @@ using Action = std::function<int()>;
 constexpr const char* kBatchExamples = R"(
 Examples:
   skein batch scenarios/comets/confirmed.yaml --seeds 1..100 --jobs 2    a table; out/batch/runs.csv, summary.svg
-  skein batch my.yaml --seeds 1..50 --set radio.loss=0,0.1,0.3           a sweep: 150 runs
-  skein batch a.yaml b.yaml --seeds 1..20 --csv runs.csv --out out/ab --keep
+  skein batch scenarios/team/two.yaml --seeds 1..50 --set radio.loss=0,0.1,0.3    a sweep: 150 runs
+  skein batch scenarios/team/two.yaml scenarios/karma/detection.yaml --seeds 1..20 --csv runs.csv --out out/ab --keep
 Exit codes: 0 all runs passed, 1 some did not or broke a law, 2 wrong input, 3 it cannot be written, 130 Ctrl-C.)";
 
 void add_batch(CLI::App& app, Action& action, const Actions& actions) {
@@ -57,6 +57,8 @@ void add_batch(CLI::App& app, Action& action, const Actions& actions) {
 
 constexpr const char* kCompareExamples = R"(
 Examples:
+  skein run scenarios/comets/confirmed.yaml --virtual --seed 1 --out out/a
+  skein run scenarios/comets/confirmed.yaml --virtual --seed 2 --out out/b
   skein compare out/a out/b                 what differs, and where the event logs part
   skein compare out/a out/b --within 2      runs over DDS: times that differ by less than 2 s do not count
 Exit codes: 0 the same, 1 something differs, 2 a folder cannot be read.)";
@@ -105,7 +107,7 @@ constexpr const char* kExportExamples = R"(
 Examples:
   skein export out/comets-confirmed --mcap comets.mcap      Foxglove, PlotJuggler: docs/recordings.md
   skein export out/comets-confirmed --kml comets.kml --gpx comets.gpx --geoid 54
-  skein export out/action-patrol --figures figures          trajectories and temporal messages, as SVG
+  skein run scenarios/action/patrol.yaml --virtual && skein export out/action-patrol --figures figures    as SVG
 Exit codes: 0, 2 the folder cannot be read, 3 the file cannot be written.)";
 
 void add_export(CLI::App& app, Action& action, const Actions& actions) {
@@ -135,10 +137,10 @@ constexpr const char* kStormExamples = R"(
 Examples:
   skein storm scenarios/comets/confirmed.yaml --seeds 1..100 --jobs 2    troubles in a mission of yours
   skein storm --seeds 1..300                                             missions drawn at random
-  skein storm my.yaml --seeds 17 --save out/17 --log out/17              one run, and its event log
-  skein storm my.yaml other.yaml --seeds 1..1000 --law energy --law crash --json
-  skein storm my.yaml --seeds 1..20 --over-dds 10                        by daemons, at ten times real time
-  skein run out/storm/energy-my-17.yaml --virtual                        a scenario that was kept, small
+  skein storm scenarios/team/two.yaml --seeds 17 --save out/17 --log out/17    one run, and its event log
+  skein storm scenarios/team/two.yaml scenarios/karma/detection.yaml --seeds 1..1000 --law energy --law crash --json
+  skein storm scenarios/team/two.yaml --seeds 1..20 --over-dds 10        by daemons, at ten times real time
+The scenario of a seed that breaks a law is kept, small: skein run out/storm/energy-two-17.yaml --virtual
 Exit codes: 0 no law was broken, 1 some, 2 wrong input.)";
 
 void add_storm(CLI::App& app, Action& action, const Actions& actions) {
@@ -179,7 +181,7 @@ void add_storm(CLI::App& app, Action& action, const Actions& actions) {
 constexpr const char* kJudgeExamples = R"(
 Examples:
   skein judge out/comets-confirmed
-  skein judge out/flight-1 out/flight-2 --law separation --law energy --json
+  skein judge out/a out/b --law separation --law energy --json
   skein judge --laws                                        what is judged
 Exit codes: 0 no law was broken, 1 some, 2 a folder cannot be read.)";
 

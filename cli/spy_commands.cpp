@@ -29,7 +29,7 @@ Examples:
   skein spy --domain 1 links --every 1               who hears whom, live
   skein spy --domain 1 doctor                        what is wrong here
   skein spy --domain 1 record flight.mcap            everything, byte for byte, until Ctrl-C
-  skein spy --domain 1 record flight.mcap --passive  likewise, as root: nodes do nothing for it
+  skein spy --domain 1 record flight.mcap --passive   likewise, as root: nodes do nothing for it
   skein spy --domain 5 play flight.mcap --rate 10
 Exit codes: 0, 1 the doctor found something, 2 wrong options, 3 DDS refused, 4 nothing heard.)";
 

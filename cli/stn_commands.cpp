@@ -21,16 +21,19 @@ using Action = std::function<int()>;
 
 constexpr const char* kStnExamples = R"(
 Examples:
+  skein stn generate --nodes 200 --contingent 20 --seed 3 > plan.json
   skein stn check plan.json --dates             consistent? and the dates of every node
-  skein stn dc network.stnu --json              dynamically controllable? if not, which links break it
+  skein stn convert plan.json --to plain > network.stnu
+  skein stn dc network.stnu --json               dynamically controllable? if not, which links break it
   skein stn dispatch plan.json --seed 3         one execution, durations drawn inside their bounds
   skein stn draw plan.json -o plan.svg          dates, contingent links dashed, the conflict in red
   skein stn draw plan.json --dot | dot -Tpdf -o plan.pdf
   skein stn convert network.stnu --to json
-  skein stn generate --nodes 200 --contingent 20 --seed 3 > plan.json
   skein stn dispatchable plan.json -o form.json
-  skein stn dc plan.json --changes changes.json  one verdict for each change, by the incremental check
-  skein stn dc --batch networks/                 every file of a folder, with statistics
+  echo '[{"from":"z","to":"l0n0","min":1,"max":20}]' > changes.json
+  skein stn dc plan.json --changes changes.json   one verdict for each change, by the incremental check
+  mkdir networks && mv plan.json network.stnu networks
+  skein stn dc --batch networks/                  every file of a folder, with statistics
 Formats, told from the content: docs/temporal.md. Without a file, or with -, standard input is read.
 Exit codes: 0 consistent or controllable, 1 not, 2 wrong input, 3 the output cannot be written.)";
 

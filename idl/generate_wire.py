@@ -17,6 +17,13 @@ TYPES = {"boolean": "bool", "octet": "std::uint8_t", "float": "float", "double":
          "string": "std::string",
          "unsigned long": "std::uint32_t", "unsigned long long": "std::uint64_t",
          "long": "std::int32_t", "long long": "std::int64_t"}
+# Of OMG IDL 4.2, and what the compilers of Debian 12 make of it in C++.
+KEYWORDS = set("""abstract any alias attribute bitfield bitmask bitset boolean case char component connector const consumes
+    context custom default double exception emits enum eventtype factory false finder fixed float getraises getter home
+    import in inout interface local long manages map mirrorport module multiple native object octet oneway out port
+    porttype primarykey private provides public publishes raises readonly setraises sequence short string struct supports
+    switch true truncatable typedef typeid typename typeprefix union unsigned uses valuebase valuetype void wchar wstring
+    int8 uint8 int16 int32 int64 uint16 uint32 uint64""".split())
 WIDTH = 100
 MARK = "// Written by idl/generate_wire.py from idl/{}: change that, and run it."
 
@@ -62,14 +69,14 @@ class Reader:
     """One IDL file, line by line."""
 
     SKIPPED = re.compile(r"|// .*|#include .*|module \w+ \{|@final")
-    OPENED = re.compile(r"(enum|struct) (\w+)( : SampleHeader)? \{")
+    OPENED = re.compile(r"(enum|struct) (\w+)( : \w+)? \{")
     TAIL = r"(?:  //= (?P<default>[^/]+?))?(?:  ///< (?P<comment>.+))?"
     LITERAL = re.compile(r"  [A-Z]+_(?P<name>[A-Z_]+),?" + TAIL)
     FIELD = re.compile(r"  (?:@key )?(?P<type>[\w<> ]+) (?P<name>\w+);" + TAIL)
 
     def __init__(self, path, wire, mistakes):
         self.path, self.wire, self.mistakes = path, wire, mistakes
-        self.header, self.doc, self.open = None, [], None
+        self.header, self.doc, self.open, self.final = None, [], None, False
 
     def read(self):
         for number, line in enumerate(self.path.read_text().splitlines(), 1):
@@ -85,8 +92,9 @@ class Reader:
             return self.inside(line)
         if line.startswith("//% "):
             return self.about_the_header(line[4:])
+        final, self.final = self.final, line == "@final"
         if opened := self.OPENED.fullmatch(line):
-            return self.begin(*opened.groups())
+            return self.begin(*opened.groups(), final)
         if line == "};" or self.SKIPPED.fullmatch(line):
             return None
         return f"'{line}'; expected an enum, a struct or a comment"
@@ -101,13 +109,17 @@ class Reader:
             self.wire.headers[self.header].append(text)
         return None
 
-    def begin(self, kind, name, base):
+    def begin(self, kind, name, base, final):
         self.open = Type(name, self.path.stem, self.header, base is not None, self.doc)
         self.kind, self.doc = kind, []
         if self.header is None:
             return "the header it goes to is not named: //% wire_NAME.hpp"
         if name in self.wire.types:
             return f"'{name}' is there already, in {self.wire.types[name].source}.idl"
+        if base and base != " : SampleHeader":
+            return f"'{name}' extends '{base[3:]}'; expected SampleHeader, which makes it a slot, or nothing"
+        if kind == "struct" and not final:
+            return f"'{name}' is not final; expected a line @final before it: the two IDL compilers differ else"
         if base and self.path.stem not in CLASSES:
             return f"a slot; expected in one of {', '.join(f'{c}.idl' for c in CLASSES)}"
         return None
@@ -136,6 +148,10 @@ class Reader:
         inner = kind[1] if kind else found["type"]
         if inner not in TYPES and inner not in self.wire.types:
             return f"'{inner}' is no type; expected one of {', '.join(TYPES)}, or one declared before"
+        if found["name"].lower() in KEYWORDS:
+            return f"'{found['name']}' is a word of IDL; expected another name, as sequence_number for sequence"
+        if any(found["name"].lower() == one.name.lower() for one in self.open.fields):
+            return f"'{found['name']}' is there already, but for capital letters"
         self.open.fields.append(
             Field(found["type"], found["name"], found["default"], found["comment"], self.doc))
         self.doc = []

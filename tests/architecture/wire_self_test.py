@@ -135,6 +135,14 @@ SKEIN_WIRE_FIELDS(Door, header, name, state, through)
         self.assertIn("+  double noise = 0;", stale.stderr)
         self.assertIn("loudness", (self.idl / "wire_event.hpp").read_text())
 
+    def test_what_the_two_compilers_would_not_take_alike_is_refused_with_its_line(self):
+        self.complains("event.idl:4: 'Knock' is not final", event=EVENT.replace("@final\n", ""))
+        self.complains("event.idl:5: 'Knock' extends 'SampleHeaders'; expected SampleHeader",
+                       event=EVENT.replace("SampleHeader", "SampleHeaders"))
+        self.complains("event.idl:6: 'sequence' is a word of IDL", event=EVENT.replace("loudness", "sequence"))
+        self.complains("event.idl:7: 'Loudness' is there already",
+                       event=EVENT.replace("[dB]\n", "[dB]\n  double Loudness;\n"))
+
     def test_a_type_that_nobody_declared_is_refused_with_its_line(self):
         self.complains("state.idl:7: 'text' is no type", state=STATE.replace("  string name", "  text name"))
 

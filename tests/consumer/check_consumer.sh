@@ -37,6 +37,12 @@ export PKG_CONFIG_PATH=$libdir/pkgconfig
 version=$(sed -n 's/^set(PACKAGE_VERSION "\(.*\)")$/\1/p' "$libdir/cmake/Skein/SkeinConfigVersion.cmake")
 for file in "$PKG_CONFIG_PATH"/skein-*.pc; do
   pkg-config --print-errors --exists "$(basename "$file" .pc) = $version"
+  component=$(basename "$file" .pc)
+  grep -qF "\`${component#skein-}\`" "$here/../../docs/library.md" ||
+    { echo "component ${component#skein-} is not in docs/library.md" >&2; exit 1; }
+done
+for header in $(grep -o 'skein/[a-z_/]*\.hpp' "$here/../../docs/library.md"); do
+  [ -f "$work/moved/include/$header" ] || { echo "docs/library.md: $header is not installed" >&2; exit 1; }
 done
 read -ra flags < <(pkg-config --cflags --libs skein-executive skein-htn skein-refiners skein-temporal)
 "$cxx" -std=c++20 "$work/errand.cpp" -o "$work/by-pkg-config" "${flags[@]}"

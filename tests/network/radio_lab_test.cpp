@@ -42,6 +42,16 @@ class ShortMission : public ::testing::Test {
   LabRun run_;
 };
 
+// What the air does not understand is no machine that cannot do it.
+TEST_F(ShortMission, IsNotBegunWithAShareOfThirtyAndSaysSo) {
+  run_.start("../tests/network/scenarios/meeting", "loss", {"--loss", "30"});
+  const auto code = run_.wait(60);
+  ASSERT_TRUE(code.has_value()) << "no end";
+  if (*code == 77 && run_.output().find("Value 30") == std::string::npos) GTEST_SKIP();
+  EXPECT_EQ(*code, 2) << run_.output();
+  EXPECT_NE(run_.output().find("not in range"), std::string::npos) << run_.output();
+}
+
 TEST_F(ShortMission, EndsWellWhereThreeOfTenPacketsAreLost) {
   play("loss");
   if (IsSkipped()) return;

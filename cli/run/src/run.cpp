@@ -13,6 +13,7 @@
 #include "play_virtual.hpp"
 #include "run_folder.hpp"
 #include "skein/assembly/assembly.hpp"
+#include "skein/deliberation_setup/refused_missions.hpp"
 #include "skein/export_tool/export.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/joined.hpp"
@@ -203,6 +204,23 @@ std::string without_problem(const Scenario& scenario, const RunOptions& options)
   return "";
 }
 
+// Tells what is no error and yet not what its author will have meant; whether missions will be
+// refused.
+bool warn(const Scenario& scenario, std::ostream& err) {
+  const Diagnostics refused = deliberation_setup::refused_missions(scenario);
+  for (const Diagnostics& found : {deliberation_setup::domain_warnings(scenario), refused})
+    for (const Diagnostic& one : found.all()) err << "warning: " << to_text(one) << '\n';
+  return !refused.empty();
+}
+
+int report_check(const Scenario& scenario, const std::string& file, bool refused,
+                 std::ostream& out) {
+  out << file << ": " << scenario.uavs.size() << " UAVs, " << scenario.ground.script.steps.size()
+      << " steps, " << scenario.expectations.size() << " expectations; "
+      << (refused ? "some missions will be refused" : "nothing wrong") << '\n';
+  return refused ? kExitNegative : kExitOk;
+}
+
 }  // namespace
 
 int run(const RunOptions& options, std::ostream& out, std::ostream& err) {
@@ -217,12 +235,8 @@ int run(const RunOptions& options, std::ostream& out, std::ostream& err) {
       return kExitBadInput;
     }
   }
-  if (options.check_only) {
-    out << options.scenario << ": " << scenario->uavs.size() << " UAVs, "
-        << scenario->ground.script.steps.size() << " steps, " << scenario->expectations.size()
-        << " expectations; nothing wrong\n";
-    return kExitOk;
-  }
+  const bool refused = warn(*scenario, err);
+  if (options.check_only) return report_check(*scenario, options.scenario, refused, out);
   const std::string folder = options.out.empty() ? "out/" + scenario->name : options.out;
   const auto claimed = prepare_folder(folder);
   if (!claimed) {

@@ -209,6 +209,25 @@ TEST(Run, OnlyToCheckPlaysNothing) {
   EXPECT_FALSE(exists(folder / "out"));
 }
 
+TEST(Run, ACheckFindsMissionsThatWillBeRefused) {
+  const Folder folder;
+  const std::string scenarios = std::string(SKEIN_SOURCE_DIR) + "/scenarios/";
+  std::string text = testing::replaced(read_text(scenarios + "karma/detection.yaml"),
+                                       "[perform-detection", "[perfrom-detection");
+  for (const char* part : {"worlds/", "comets/", "domains/"})
+    text = testing::replaced(text, std::string("../") + part, scenarios + part);
+  write_text(folder / "s.yaml", text);
+  std::ostringstream out;
+  std::ostringstream err;
+  RunOptions options = virtual_run(folder / "s.yaml", (folder / "out").string());
+  options.check_only = true;
+
+  EXPECT_EQ(run(options, out, err), kExitNegative);
+
+  EXPECT_THAT(err.str(), HasSubstr("did you mean 'perform-detection'"));
+  EXPECT_THAT(out.str(), HasSubstr("some missions will be refused"));
+}
+
 TEST(Run, AsJsonPrintsOneDocumentAndNothingElse) {
   const Folder folder;
   std::ostringstream out;

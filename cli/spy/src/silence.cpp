@@ -8,6 +8,7 @@
 
 #include "listener.hpp"
 #include "skein/foundation/joined.hpp"
+#include "skein/foundation/nearest.hpp"
 
 namespace skein::spy_tool {
 
@@ -72,9 +73,18 @@ Silence silent(const Writers& writers, const SpyOptions& options, const Graph& g
                                        ") wrote nothing meanwhile"};
 }
 
-}  // namespace
+/// A sentence on the node asked for, if it is no number and nobody there has that name.
+std::string nobody_called(const std::string& from, const Graph& graph) {
+  const bool number = std::ranges::all_of(from, [](char c) { return c >= '0' && c <= '9'; });
+  if (number) return "";
+  std::vector<std::string> names;
+  for (const auto& [guid, participant] : graph.participants())
+    names.push_back(graph.owner_of(guid));
+  if (std::ranges::find(names, from) != names.end()) return "";
+  return "; nobody there is called '" + from + "'" + did_you_mean(nearest_name(from, names));
+}
 
-Silence silence_of(const SpyOptions& options, const Graph& graph, std::uint64_t passed_over) {
+Silence cause_of_silence(const SpyOptions& options, const Graph& graph, std::uint64_t passed_over) {
   using Cause = Silence::Cause;
   const std::string domain = "domain " + std::to_string(options.domain);
   if (passed_over > 0)
@@ -91,6 +101,14 @@ Silence silence_of(const SpyOptions& options, const Graph& graph, std::uint64_t 
                     std::to_string(graph.participants().size()) + " participants on " + domain;
   if (!writers.elsewhere.empty()) why += ", writers of it in " + at_most_four(writers.elsewhere);
   return {Cause::kNoWriter, why};
+}
+
+}  // namespace
+
+Silence silence_of(const SpyOptions& options, const Graph& graph, std::uint64_t passed_over) {
+  Silence silence = cause_of_silence(options, graph, passed_over);
+  if (!graph.participants().empty()) silence.why += nobody_called(options.from, graph);
+  return silence;
 }
 
 std::string_view name_of(Silence::Cause cause) {

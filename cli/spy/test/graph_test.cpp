@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "listener.hpp"
+#include "silence.hpp"
 
 namespace skein::spy_tool {
 namespace {
@@ -99,6 +100,26 @@ TEST(SlotOf, IsOfATopicOfOursWithItsType) {
   EXPECT_FALSE(slot_of(other).has_value());
   other.topic = "clock";
   EXPECT_FALSE(slot_of(other).has_value());
+}
+
+TEST(Silence, OfANodeThatNobodyIsSaysSoWithTheNearest) {
+  Graph graph;
+  graph.see(participant("aa", "marvin"), at(1));
+  graph.see(writer("aa", wire::Slot::kClock), at(1));
+  SpyOptions options;
+  options.slots = {"Clock"};
+  options.partitions = {"world"};
+  EXPECT_EQ(silence_of(options, graph, 0).why.find("nobody there"), std::string::npos);
+  for (const char* known : {"marvin", "10"}) {
+    options.from = known;
+    EXPECT_EQ(silence_of(options, graph, 3).why.find("nobody there"), std::string::npos) << known;
+  }
+
+  options.from = "marwin";
+  EXPECT_EQ(silence_of(options, graph, 3).why,
+            "3 samples came, none as asked for; nobody there is called 'marwin'; did you mean "
+            "'marvin'?");
+  EXPECT_NE(silence_of(options, graph, 0).why.find("did you mean 'marvin'?"), std::string::npos);
 }
 
 }  // namespace

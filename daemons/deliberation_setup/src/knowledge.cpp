@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "script_actions.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
@@ -193,19 +194,17 @@ void check_task(const Scenario& scenario, const std::string& uav,
   }
 }
 
-void check_actions(const Scenario& scenario, const std::vector<ground_station::Action>& actions,
-                   Diagnostics& diagnostics) {
-  for (const ground_station::Action& action : actions) {
-    if (const auto* sent = std::get_if<ground_station::SendMission>(&action)) {
-      for (const mission::HighLevelTask& task : sent->mission.tasks) {
-        const TaskPlace place(scenario, scenario.ground.asked, sent->uav, task.id);
-        check_task(scenario, sent->uav, task, place, diagnostics);
-      }
-    } else if (const auto* played = std::get_if<ground_station::PlayRole>(&action)) {
-      const TaskPlace place(scenario, scenario.ground.played, played->uav, played->task.id);
-      check_task(scenario, played->uav, played->task, place, diagnostics);
-      check_played(scenario, *played, place, diagnostics);
+void check_action(const Scenario& scenario, const ground_station::Action& action,
+                  Diagnostics& diagnostics) {
+  if (const auto* sent = std::get_if<ground_station::SendMission>(&action)) {
+    for (const mission::HighLevelTask& task : sent->mission.tasks) {
+      const TaskPlace place(scenario, scenario.ground.asked, sent->uav, task.id);
+      check_task(scenario, sent->uav, task, place, diagnostics);
     }
+  } else if (const auto* played = std::get_if<ground_station::PlayRole>(&action)) {
+    const TaskPlace place(scenario, scenario.ground.played, played->uav, played->task.id);
+    check_task(scenario, played->uav, played->task, place, diagnostics);
+    check_played(scenario, *played, place, diagnostics);
   }
 }
 
@@ -214,19 +213,13 @@ void check_actions(const Scenario& scenario, const std::vector<ground_station::A
 Diagnostics joint_task_problems(const Scenario& scenario) {
   Diagnostics diagnostics;
   if (scenario.interaction == nullptr) return diagnostics;
-  const ground_station::Script& script = scenario.ground.script;
-  for (const auto& step : script.steps) check_actions(scenario, step.actions, diagnostics);
-  for (const auto& one : script.operators) check_actions(scenario, one.actions, diagnostics);
+  for_each_action(scenario.ground.script, [&](const auto& action, MissionTime) {
+    check_action(scenario, action, diagnostics);
+  });
   return diagnostics;
 }
 
 namespace {
-
-/// Actions of a step begin at its time, if it waits for a time alone.
-MissionTime begin_of(const ground_station::Trigger& when) {
-  const auto* time = std::get_if<ground_station::AtTime>(&when.what);
-  return time == nullptr ? MissionTime() : time->at;
-}
 
 /// What a team can do.
 struct Means {
@@ -234,9 +227,9 @@ struct Means {
   team::Vehicles vehicles;
 };
 
-void check_global_missions(const Scenario& scenario, const Means& means,
-                           const std::vector<ground_station::Action>& actions, MissionTime begin,
-                           Diagnostics& diagnostics) {
+void check_global_mission(const Scenario& scenario, const Means& means,
+                          const ground_station::Action& action, MissionTime begin,
+                          Diagnostics& diagnostics) {
   const auto refuse = [&](mission::MissionId mission,
                           const std::vector<team::Conflict>& conflicts) {
     for (const team::Conflict& one : conflicts) {
@@ -245,15 +238,13 @@ void check_global_missions(const Scenario& scenario, const Means& means,
                                "tasks that can all be done", ""));
     }
   };
-  for (const ground_station::Action& action : actions) {
-    const auto* sent = std::get_if<ground_station::SendGlobalMission>(&action);
-    if (sent == nullptr) continue;
-    const team::GlobalMission& mission = sent->mission;
-    const team::Roster& roster = scenario.team->roster;
-    refuse(mission.id,
-           team::conflicts_of(mission, roster, means.vocabulary, scenario.uav_names(), begin));
-    refuse(mission.id, team::lacks_of(mission, roster, means.vehicles));
-  }
+  const auto* sent = std::get_if<ground_station::SendGlobalMission>(&action);
+  if (sent == nullptr) return;
+  const team::GlobalMission& mission = sent->mission;
+  const team::Roster& roster = scenario.team->roster;
+  refuse(mission.id,
+         team::conflicts_of(mission, roster, means.vocabulary, scenario.uav_names(), begin));
+  refuse(mission.id, team::lacks_of(mission, roster, means.vehicles));
 }
 
 }  // namespace
@@ -265,13 +256,9 @@ Diagnostics global_mission_problems(const Scenario& scenario) {
   if (!vocabulary) return diagnostics;
   Means means{std::move(*vocabulary), {}};
   for (const UavSpec& uav : scenario.uavs) means.vehicles.emplace(uav.name, uav.model);
-  const ground_station::Script& script = scenario.ground.script;
-  for (const auto& step : script.steps) {
-    check_global_missions(scenario, means, step.actions, begin_of(step.when), diagnostics);
-  }
-  for (const auto& one : script.operators) {
-    check_global_missions(scenario, means, one.actions, begin_of(one.when), diagnostics);
-  }
+  for_each_action(scenario.ground.script, [&](const auto& action, MissionTime begin) {
+    check_global_mission(scenario, means, action, begin, diagnostics);
+  });
   return diagnostics;
 }
 

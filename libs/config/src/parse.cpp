@@ -88,21 +88,33 @@ class Converter {
 };
 
 tl::unexpected<Diagnostics> one_error(const std::string& file, int line, int column,
-                                      std::string message) {
+                                      std::string message, std::string expected = "") {
   Diagnostics diagnostics;
-  diagnostics.add({file, line, column, "", std::move(message), "", ""});
+  diagnostics.add({file, line, column, "", std::move(message), std::move(expected), ""});
   return tl::unexpected<Diagnostics>(std::move(diagnostics));
 }
 
-/// Takes note of where the last document began, and of nothing else.
-class DocumentStart final : public YAML::EventHandler {
+/// What the parser's words for a file that does not hang together come to; empty: nothing better.
+std::string wanted(const std::string& words) {
+  if (words == "end of map not found" || words == "end of sequence not found")
+    return "this line to begin as far to the right as those of its kind above it, with spaces (no "
+           "tabs)";
+  if (words == "illegal tab when looking for indentation") return "spaces";
+  if (words == "illegal map value") return "quotes around a text with ': ' in it";
+  return "";
+}
+
+/// Takes note of where the last document began, and the last text in quotes.
+class Notes final : public YAML::EventHandler {
  public:
   void OnDocumentStart(const YAML::Mark& at) override { mark = at; }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
   void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                const std::string&) override {}
+  void OnScalar(const YAML::Mark& at, const std::string& tag, YAML::anchor_t,
+                const std::string&) override {
+    if (tag == "!") quoted = at;
+  }
   void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
                        YAML::EmitterStyle::value) override {}
   void OnSequenceEnd() override {}
@@ -111,16 +123,39 @@ class DocumentStart final : public YAML::EventHandler {
   void OnMapEnd() override {}
 
   YAML::Mark mark;
+  std::optional<YAML::Mark> quoted;
 };
 
-/// Where a second document begins, or anything else after the first. Not by YAML::LoadAll, which
-/// (in 0.7) never comes back from what follows a closed map or list: {a: 1}}.
-std::optional<YAML::Mark> second_document(const std::string& text) {
+/// Whether the text in quotes that begins at this position has an end. yaml-cpp (0.7) takes the end
+/// of the file for one, and all that was to follow for text.
+bool is_closed(const std::string& text, std::size_t begin) {
+  const char quote = begin < text.size() ? text[begin] : ' ';
+  if (quote != '\'' && quote != '"') return true;  // not where the mark says
+  for (std::size_t i = begin + 1; i < text.size(); ++i) {
+    if (quote == '"' && text[i] == '\\') {
+      ++i;
+    } else if (text[i] == quote) {
+      if (quote == '"' || i + 1 == text.size() || text[i + 1] != quote) return true;
+      ++i;  // two of them are one within the text
+    }
+  }
+  return false;
+}
+
+/// A second document, or anything else after the first; quotes without end. Not by YAML::LoadAll,
+/// which (in 0.7) never comes back from what follows a closed map or list: {a: 1}}.
+std::optional<Diagnostics> misread(const std::string& text, const std::string& file) {
   std::istringstream in(text);
   YAML::Parser parser(in);
-  DocumentStart start;
-  if (!parser.HandleNextDocument(start) || !parser.HandleNextDocument(start)) return std::nullopt;
-  return start.mark;
+  Notes notes;
+  if (!parser.HandleNextDocument(notes)) return std::nullopt;
+  if (notes.quoted && !is_closed(text, static_cast<std::size_t>(notes.quoted->pos))) {
+    return one_error(file, notes.quoted->line + 1, notes.quoted->column + 1,
+                     "a quote that nothing closes")
+        .value();
+  }
+  if (!parser.HandleNextDocument(notes)) return std::nullopt;
+  return one_error(file, notes.mark.line + 1, 1, "a second document; expected one").value();
 }
 
 }  // namespace
@@ -129,8 +164,8 @@ Result<Value, Diagnostics> parse_yaml(std::string_view text, const std::string& 
   if (text.size() > kMaximumBytes) return one_error(file, 0, 0, "larger than 16 MiB");
   try {
     const std::string whole(text);
-    if (const auto second = second_document(whole))
-      return one_error(file, second->line + 1, 1, "a second document; expected one");
+    if (auto problems = misread(whole, file))
+      return tl::unexpected<Diagnostics>(std::move(*problems));
     const YAML::Node document = YAML::Load(whole);
     if (!document.IsDefined() || document.IsNull()) {
       return one_error(file, 1, 1, "the file is empty");
@@ -142,7 +177,7 @@ Result<Value, Diagnostics> parse_yaml(std::string_view text, const std::string& 
     }
     return value;
   } catch (const YAML::Exception& e) {
-    return one_error(file, e.mark.line + 1, e.mark.column + 1, "not YAML: " + e.msg);
+    return one_error(file, e.mark.line + 1, e.mark.column + 1, "not YAML: " + e.msg, wanted(e.msg));
   } catch (const std::exception& e) {
     return one_error(file, 0, 0, std::string("not YAML: ") + e.what());
   }

@@ -44,6 +44,33 @@ TEST(ParseYaml, WhatFollowsAClosedMapOrListIsAnErrorNotAnEndlessFile) {
   EXPECT_EQ(errors_of("{a: 1}\n\n}"), "f.yaml:3:1: not YAML: illegal flow end\n");
 }
 
+// yaml-cpp 0.7 takes the rest of the file for text, and expectations that follow are never read.
+TEST(ParseYaml, AQuoteThatNothingClosesIsAnErrorWhereItBegins) {
+  EXPECT_EQ(errors_of("a: 1\nb: 'two\nc: 3\n"), "f.yaml:2:4: a quote that nothing closes\n");
+  EXPECT_EQ(errors_of("a: \"x\nb: \\\"\n"), "f.yaml:1:4: a quote that nothing closes\n");
+  EXPECT_EQ(errors_of("é: ü\n'a: it''s\n").substr(0, 8), "f.yaml:2");
+  for (const char* text :
+       {"a: 'it''s'\n", "a: \"\\\"\"\n", "a: ''\n", "é: 'ü'\n", "'a': \"b\"  # it's\n",
+        "\xef\xbb\xbf"
+        "a: 'b'\n",
+        "a: |\n  it's\n"})
+    EXPECT_EQ(errors_of(text), "") << text;
+}
+
+TEST(ParseYaml, LinesThatBeginElsewhereAreToldWhatIsWanted) {
+  const std::string wanted =
+      "; expected this line to begin as far to the right as those of its kind above it, with "
+      "spaces "
+      "(no tabs)\n";
+  EXPECT_EQ(errors_of("a: 1\n\tb: 2\n"),
+            "f.yaml:2:1: not YAML: illegal tab when looking for indentation; expected spaces\n");
+  EXPECT_EQ(errors_of("a:\n  b: 1\n c: 2\n"),
+            "f.yaml:3:2: not YAML: end of map not found" + wanted);
+  EXPECT_EQ(
+      errors_of("a: say: yes\n"),
+      "f.yaml:1:7: not YAML: illegal map value; expected quotes around a text with ': ' in it\n");
+}
+
 TEST(ParseYaml, DeepNestingIsRefusedNotFollowed) {
   const std::string deep = std::string(100, '[') + std::string(100, ']');
   EXPECT_NE(errors_of(deep).find("nested too deeply"), std::string::npos);

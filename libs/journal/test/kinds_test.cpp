@@ -46,6 +46,28 @@ TEST(Kinds, AreOnThePageWithTheirFieldsInOrder) {
   EXPECT_THAT(page, ::testing::IsEmpty()) << "described, and no kind of record";
 }
 
+TEST(Kinds, WordsOfFieldsAreOnThePage) {
+  std::ifstream file(std::string(SKEIN_SOURCE_DIR) + "/docs/journal.md");
+  std::map<std::string, std::string> rows;
+  const std::regex row(R"(\| `([a-z-]+)` \|.*)");
+  for (std::string line; std::getline(file, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, row)) rows[match[1]] = line;
+  }
+
+  std::size_t counted = 0;
+  for (const Kind& kind : kinds()) {
+    for (const Kind::Field& field : kind.fields) {
+      for (const std::string& word : field.words) {
+        EXPECT_THAT(rows[kind.name], ::testing::ContainsRegex("[ (;:]" + word + "[ ,;.|)]"))
+            << kind.name << " " << field.name;
+        ++counted;
+      }
+    }
+  }
+  EXPECT_GT(counted, 40U);
+}
+
 TEST(Kinds, HaveNamesOfTheirOwn) {
   std::set<std::string> names;
   for (const Kind& kind : kinds()) {

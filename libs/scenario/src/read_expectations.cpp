@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reading.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
 #include "skein/journal/kinds.hpp"
 
@@ -40,30 +41,57 @@ std::vector<std::string> kinds_of_records() {
   return names;
 }
 
-/// A field that no record of these kinds has would never be found.
-void check_fields(const Reader& reader) {
-  std::vector<std::string> fields{"at", "node", "kind"};
+/// The kinds that a pattern names; empty: it names none, or not rightly.
+std::vector<const journal::Kind*> kinds_named(const Reader& reader) {
+  std::vector<const journal::Kind*> named;
   const Reader kind = reader.optional("kind");
-  const auto items = kind.is_sequence() ? items_of(kind) : std::vector{kind};
-  for (const Reader& one : items) {
-    if (!kind.present()) break;
+  if (!kind.present()) return named;
+  for (const Reader& one : kind.is_sequence() ? items_of(kind) : std::vector{kind}) {
     const std::string name =
         one.name_among(kinds_of_records(), "a kind of record (docs/journal.md)");
     const journal::Kind* known = journal::find_kind(name);
-    if (known == nullptr) return;
-    for (const auto& field : known->fields) fields.push_back(field.name);
+    if (known == nullptr) return {};
+    named.push_back(known);
   }
-  if (!kind.present()) return;
+  return named;
+}
+
+/// What no record of these kinds says there would never be found.
+void check_word(const Reader& said, const std::string& key,
+                const std::vector<const journal::Kind*>& kinds) {
+  std::vector<std::string> words;
+  for (const journal::Kind* kind : kinds) {
+    for (const journal::Kind::Field& field : kind->fields) {
+      if (field.name != key) continue;
+      if (field.words.empty()) return;
+      words.insert(words.end(), field.words.begin(), field.words.end());
+    }
+  }
+  if (!words.empty()) (void)said.name_among(words, "one of " + joined(words, ", "));
+}
+
+/// A field that no record of these kinds has would never be found either.
+void check_fields(const Reader& reader, const std::vector<const journal::Kind*>& kinds) {
+  if (kinds.empty()) return;
+  std::vector<std::string> fields{"at", "node", "kind"};
+  for (const journal::Kind* kind : kinds)
+    for (const auto& field : kind->fields) fields.push_back(field.name);
   for (const auto& [key, field] : entries_of(reader)) {
-    if (std::find(fields.begin(), fields.end(), key) != fields.end()) continue;
-    field.error("no record of this kind has a field '" + key + "'", "a field of docs/journal.md",
-                nearest_name(key, fields));
+    if (std::find(fields.begin(), fields.end(), key) == fields.end()) {
+      field.error("no record of this kind has a field '" + key + "'", "a field of docs/journal.md",
+                  nearest_name(key, fields));
+      continue;
+    }
+    for (const Reader& one : field.is_sequence() ? items_of(field) : std::vector{field})
+      check_word(one, key, kinds);
   }
 }
 
-Pattern read_pattern(const Reader& reader, const Names& names) {
+/// Of records of these kinds.
+Pattern read_pattern(const Reader& reader, const Names& names,
+                     const std::vector<const journal::Kind*>& kinds) {
   Pattern pattern;
-  check_fields(reader);
+  check_fields(reader, kinds);
   for (const auto& [key, field] : entries_of(reader)) {
     std::vector<journal::Value> values;
     for (const Reader& one : field.is_sequence() ? items_of(field) : std::vector{field}) {
@@ -74,6 +102,10 @@ Pattern read_pattern(const Reader& reader, const Names& names) {
   }
   if (reader.present() && pattern.fields.empty()) reader.error("an empty pattern matches anything");
   return pattern;
+}
+
+Pattern read_pattern(const Reader& reader, const Names& names) {
+  return read_pattern(reader, names, kinds_named(reader));
 }
 
 Window read_window(const Reader& reader, const Names& names) {
@@ -164,8 +196,10 @@ void read_expectations(const Reader& reader, const Names& names, const std::vect
       expectation.what = read_never(item, names);
     } else if (item.optional("finally").present()) {
       item.keys({"name", "finally", "is"});
-      expectation.what = ExpectFinally{read_pattern(item.required("finally"), names),
-                                       read_pattern(item.required("is"), names)};
+      const Reader last = item.required("finally");
+      const auto kinds = kinds_named(last);
+      expectation.what = ExpectFinally{read_pattern(last, names, kinds),
+                                       read_pattern(item.required("is"), names, kinds)};
     } else if (item.optional("measure").present()) {
       item.keys({"name", "measure", "uavs", "at_least", "at_most"});
       expectation.what = read_measure(item, names, air);

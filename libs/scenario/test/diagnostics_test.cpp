@@ -314,6 +314,17 @@ SKEIN_WRONG_FILES(
     Wrong{"FieldOfNoneOfSeveralKinds", "kind: task, uav", "kind: [task, alarm], vua: 1, uav",
           "34:53: expect[0].event.vua: no record of this kind has a field 'vua'; expected a field "
           "of docs/journal.md; did you mean 'uav'?\n"},
+    Wrong{"WordThatNoRecordOfThatKindSays", "task: 1, state: ended",
+          "task: 1, state: [aborted, rejected]",
+          "34:78: expect[0].event.state[1]: unknown name 'rejected'; expected one of scheduled, "
+          "started, running, aborting, ended, aborted\n"},
+    Wrong{"WordMisspelt", "task: 1, state: ended", "task: 1, state: endet",
+          "34:68: expect[0].event.state: unknown name 'endet'; expected one of scheduled, started, "
+          "running, aborting, ended, aborted; did you mean 'ended'?\n"},
+    Wrong{"FieldOfWhatItIsFinally", kExpectation,
+          "{name: down, finally: {kind: telemetry, uav: marvin}, is: {airborn: false}}",
+          "34:73: expect[0].is.airborn: no record of this kind has a field 'airborn'; expected a "
+          "field of docs/journal.md; did you mean 'airborne'?\n"},
     Wrong{"EmptyPattern", kExpectation, "{name: flies, never: {}}",
           "34:26: expect[0].never: an empty pattern matches anything\n"},
     Wrong{"WithinOfNothing", "{name: flies,", "{name: flies, within: 5,",

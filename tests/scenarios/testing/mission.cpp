@@ -5,8 +5,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <numeric>
+#include <set>
 
 #include "skein/assembly/assembly.hpp"
+#include "skein/journal/kinds.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/scenario_setup/overrides.hpp"
 
@@ -32,6 +35,24 @@ bool has(const journal::Record& record, const std::string& key, const std::strin
   if (key == "node") return record.node() == value;
   const journal::Value* field = record.find(key);
   return field != nullptr && std::visit(AsText{}, *field) == value;
+}
+
+/// What records say in a field whose words are counted, and that is none of these (a scenario that
+/// expects it is refused).
+std::string uncounted_words(const std::vector<journal::Record>& records) {
+  std::set<std::string> found;
+  for (const journal::Record& record : records) {
+    const journal::Kind* kind = journal::find_kind(record.kind());
+    if (kind == nullptr) continue;
+    for (const journal::Kind::Field& field : kind->fields) {
+      const journal::Value* value = field.words.empty() ? nullptr : record.find(field.name);
+      if (value == nullptr) continue;
+      const std::string word = std::visit(AsText{}, *value);
+      if (std::find(field.words.begin(), field.words.end(), word) == field.words.end())
+        found.insert("uncounted word of " + kind->name + " " + field.name + ": " + word + "\n");
+    }
+  }
+  return std::accumulate(found.begin(), found.end(), std::string());
 }
 
 }  // namespace
@@ -96,7 +117,8 @@ Mission play(const scenario::Scenario& scenario) {
   std::stable_sort(mission.records.begin(), mission.records.end(),
                    [](const auto& a, const auto& b) { return a.at() < b.at(); });
   mission.verdicts = scenario::check(scenario.expectations, mission.records);
-  mission.untrue = laws::to_text(laws::broken_laws(scenario, mission.records));
+  mission.untrue = laws::to_text(laws::broken_laws(scenario, mission.records)) +
+                   uncounted_words(mission.records);
   return mission;
 }
 

@@ -19,7 +19,8 @@ struct Mission {
   End end = End::kFinished;
   std::vector<journal::Record> records;  ///< in order of time
   std::vector<scenario::Verdict> verdicts;
-  std::string untrue;  ///< what breaks a law of truth (libs/laws), a line each
+  std::string
+      untrue;  ///< what breaks a law of truth (libs/laws), and words not counted, a line each
 
   /// The event log, byte for byte.
   std::string log() const;

@@ -4,6 +4,7 @@
 
 #include "planning/domain_book.hpp"
 #include "planning/terms.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
 #include "skein/htn/syntax.hpp"
 #include "skein/supervisor/planner_host.hpp"
@@ -74,7 +75,7 @@ class Declarations {
     std::vector<std::string> kinds;
     for (std::uint8_t i = 0; i < static_cast<std::uint8_t>(mission::ParameterKind::kCount); ++i)
       kinds.emplace_back(mission::to_text(static_cast<mission::ParameterKind>(i)));
-    complain(node, "unknown kind of argument '" + word(node) + "'", "a kind of argument",
+    complain(node, "unknown kind of argument '" + word(node) + "'", "one of " + joined(kinds, ", "),
              nearest_name(word(node), kinds));
   }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/supervisor/domain_warnings.hpp"
 #include "testing/planning_lab.hpp"
 
 namespace skein::supervisor {
@@ -258,13 +259,32 @@ TEST(PlanningDomain, EveryErrorIsGivenAtOnceWithItsLine) {
       "  (:operator (!task-go ?p ?tc ?o) ((assign ?x (compute-gotoxy ?p ?tc ?o ?x))) () () 0)\n"
       "))\n");
 
-  EXPECT_THAT(errors, HasSubstr("d.lisp:2:28: unknown kind of argument 'plaice'"));
+  EXPECT_THAT(errors, HasSubstr("d.lisp:2:28: unknown kind of argument 'plaice'; expected one of "
+                                "place, zone, places, duration"));
   EXPECT_THAT(errors, HasSubstr("did you mean 'place'?"));
   EXPECT_THAT(errors, HasSubstr("d.lisp:3:7: a declaration of another shape"));
   EXPECT_THAT(errors, HasSubstr("d.lisp:4:7: a declaration of another shape"));
   EXPECT_THAT(errors, HasSubstr("d.lisp:6:"));
   EXPECT_THAT(errors, HasSubstr("unknown function 'compute-gotoxy'; did you mean "
                                 "'compute-gotoxyz'?"));
+}
+
+TEST(PlanningDomain, WhatIsSuspiciousIsAWarningAtItsLine) {
+  EXPECT_EQ(
+      to_text(warnings_of({"comets.lisp", testing::file_text("scenarios/domains/comets.lisp")})),
+      "");
+
+  const std::string warnings = to_text(warnings_of({"d.lisp",
+                                                    "(defdomain d (\n"
+                                                    "  (:method (go ?p ?tc ?o) () (\n"
+                                                    "    (percieve ?p ?tc ?o)\n"
+                                                    "    (stay ?p)\n"
+                                                    "    (stay ?plaec ?tc)))\n"
+                                                    "  (:method (stay ?_p ?_tc) () ())\n"
+                                                    "))\n"}));
+  EXPECT_THAT(warnings, HasSubstr("d.lisp:3:5: task 'percieve' has neither method nor operator"));
+  EXPECT_THAT(warnings, HasSubstr("d.lisp:4:5: task 'stay' with 1 argument matches no head"));
+  EXPECT_THAT(warnings, HasSubstr("d.lisp:5:11: variable ?plaec used only once"));
 }
 
 TEST(PlanningDomain, ADeclaredTaskNeedsAMethodOfItsForm) {

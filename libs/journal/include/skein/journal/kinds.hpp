@@ -18,6 +18,8 @@ struct Kind {
   struct Field {
     std::string name;
     bool optional = false;  ///< left out when it is empty or absent
+    /// All that a field of words may say; empty: it is another type, or its words are not counted.
+    std::vector<std::string> words = {};
   };
   std::string name;
   std::vector<Field> fields;  ///< in the order of the line
