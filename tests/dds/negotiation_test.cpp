@@ -12,8 +12,8 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-/// A sanitizer takes several times as long: an offer that is awaited for 9 s of the mission came too
-/// late at 20.
+/// A sanitizer takes several times as long: an offer that is awaited for 9 s of the mission came
+/// too late at 20.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr const char* kRate = "5";
 #else
@@ -32,9 +32,10 @@ class DdsNegotiation : public ::testing::TestWithParam<Vendors> {
   void start(const std::string& without, const std::string& others) {
     const auto& [ours, theirs, garbage] = GetParam();
     const std::string domain = std::to_string(lease_.domain());
-    intruder_.emplace(run_tool::Process::start({SKEIN_BINARY_DIR "/bin/skein_dds_intruder", domain,
-                                                kRate, without, others, theirs, garbage},
-                                               run.file("intruder").string())
+    intruder_.emplace(run_tool::Process::start(
+                          {SKEIN_BINARY_DIR "/bin/skein_dds_intruder", domain, kRate, without,
+                           others, theirs, garbage, run.file("scenario.yaml").string()},
+                          run.file("intruder").string())
                           .value());
     run.start({"--rate", kRate, "--domain", domain, "--without", without, "--dds", ours});
   }

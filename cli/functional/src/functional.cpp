@@ -12,6 +12,7 @@
 #include "skein/foundation/nearest.hpp"
 #include "skein/node/daemon.hpp"
 #include "skein/node/virtual_runtime.hpp"
+#include "skein/scenario/scenario_print.hpp"
 #include "skein/scenario_setup/overrides.hpp"
 #include "skein/scenario_setup/setup.hpp"
 
@@ -78,6 +79,7 @@ class Check {
 
   Result<node::DaemonEnd, node::OpenFailure> run_over_dds() {
     node::DaemonConfig config;
+    config.scenario = scenario::print_of(scenario_);
     config.domain = options_.domain;
     config.network = options_.network;
     config.rate = options_.rate;

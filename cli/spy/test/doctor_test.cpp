@@ -8,6 +8,7 @@
 
 #include "doctor/domain.hpp"
 #include "doctor/machine.hpp"
+#include "skein/scenario/scenario_print.hpp"
 #include "temporary_folder.hpp"
 #include "testing/fake_observer.hpp"
 
@@ -151,6 +152,18 @@ TEST_F(DoctorOfDomains, FindsAnotherLayoutOfSamples) {
   EXPECT_THAT(bad(), HasSubstr("other layouts of samples"));
   EXPECT_THAT(bad(), HasSubstr("have marvin"));
   EXPECT_THAT(notes(), HasSubstr("0.0.9: marvin"));
+}
+
+TEST_F(DoctorOfDomains, NamesWhoFliesAnotherScenarioAndWhereItDiffers) {
+  const auto flying = [](const scenario::Scenario& scenario) {
+    return to_text(blackboard::program_description(scenario::print_of(scenario).text()));
+  };
+  scenario::Scenario other;
+  other.world.places["hut"] = {1, 2, 3};
+  domain().joins("ground", flying({})).joins("marvin", flying({})).joins("spy");
+  EXPECT_THAT(texts(judge(), Grade::kGood), HasSubstr("all fly the same: ground, marvin\n"));
+  domain().joins("karma", flying(other));
+  EXPECT_THAT(bad(), HasSubstr("karma not the same as ground, marvin: differs in places"));
 }
 
 TEST_F(DoctorOfDomains, NotesProgramsThatDoNotSayWhatTheyAre) {

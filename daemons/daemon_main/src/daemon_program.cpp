@@ -24,6 +24,7 @@
 #include "skein/manual/pages.hpp"
 #include "skein/node/daemon.hpp"
 #include "skein/node/waker.hpp"
+#include "skein/scenario/scenario_print.hpp"
 #include "skein/scenario_setup/overrides.hpp"
 #include "skein/scenario_setup/setup.hpp"
 
@@ -63,6 +64,7 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
   if (scenario.radio.silent) config.told = node::ToldOfLinks::kNothing;
   config.capacity = scenario_setup::capacity_of(scenario);
   config.seed = scenario.seed;
+  config.scenario = scenario::print_of(scenario);
   config.world = options.world;
   config.leads_clock = self.role == (options.world ? wire::Role::kSim : wire::Role::kGround);
   config.time_limit = scenario.duration_limit;
@@ -187,10 +189,10 @@ struct Attempt {
 };
 
 /// If one is asked for.
-Memory memory_of(const Options& options, const Attempt& attempt, const std::string& name) {
+Memory memory_of(const Options& options, const Attempt& attempt, const std::string& name,
+                 const scenario::Scenario& scenario) {
   if (options.state.empty() || !attempt.keeps) return {};
-  return open_memory(options.state,
-                     {name, identity_of_mission(options.scenario, options.overrides)});
+  return open_memory(options.state, {name, identity_of_mission(scenario)});
 }
 
 /// If it is to; false: it was said why it cannot.
@@ -204,6 +206,14 @@ bool can_do_without_world(const Options& options, const node::Member& self) {
 void set_pattern(const Options& options, const std::string& node) {
   const std::string stamp = "%Y-%m-%dT%H:%M:%S.%eZ %^%-5l%$ " + node + " ";
   spdlog::set_pattern(options.log_json ? "%v" : stamp + "%v", spdlog::pattern_time_type::utc);
+}
+
+/// The scenario of the mission that is under way is another: what was kept of it is for the next
+/// start, with the right file.
+int end_refused(const Memory& memory, const node::DaemonConfig& config, const std::string& name) {
+  if (memory.log && memory.log->take_back())
+    log(config, name, {"what was kept of " + name + " is in its place again"});
+  return kExitBadInput;
 }
 
 /// The exit code; nothing when the node is to be run anew.
@@ -225,7 +235,7 @@ std::optional<int> run(const DaemonProgram& program, const Options& options, Att
   const std::string& name = self->name;
   set_pattern(options, name);
   ServiceManager manager;
-  const Memory memory = memory_of(options, attempt, name);
+  const Memory memory = memory_of(options, attempt, name, *scenario);
   if (!memory.in_use.empty()) {
     std::cerr << memory.in_use << '\n';
     return kExitSystem;
@@ -264,6 +274,7 @@ std::optional<int> run(const DaemonProgram& program, const Options& options, Att
     return kExitSystem;
   }
   if (end == node::DaemonEnd::kUnmet) return std::nullopt;
+  if (end == node::DaemonEnd::kOtherScenario) return end_refused(memory, config, name);
   return kExitOk;
 }
 

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "skein/foundation/fingerprint.hpp"
+#include "skein/scenario/scenario_print.hpp"
 #include "skein/store/incarnation.hpp"
 
 namespace skein::daemon_main {
@@ -50,14 +49,11 @@ Refused refuse(store::SqliteInputLog& log, const std::string& node, const std::s
   return refused;
 }
 
-std::string identity_of_mission(const std::string& scenario_file,
-                                const scenario_setup::Overrides& overrides) {
-  std::ifstream file(scenario_file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  Fingerprint print;
-  print.put(text).put(overrides.seed.value_or(0)).put(std::uint64_t{overrides.seed.has_value()});
-  for (const std::string& degree : overrides.degrees) print.put(degree);
-  return std::filesystem::path(scenario_file).stem().string() + " " + std::to_string(print.value());
+// What the simulator alone goes by counts too: its node would else not do what it has done.
+std::string identity_of_mission(const scenario::Scenario& scenario) {
+  return std::filesystem::path(scenario.file).stem().string() + " " +
+         scenario::print_of(scenario).text() + " " +
+         fingerprint_text(scenario::print_of_faults(scenario));
 }
 
 }  // namespace skein::daemon_main

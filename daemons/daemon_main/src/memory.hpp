@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/scenario_setup/overrides.hpp"
+#include "skein/scenario/scenario.hpp"
 #include "skein/store/sqlite_input_log.hpp"
 
 namespace skein::daemon_main {
@@ -34,8 +34,7 @@ struct Refused {
 /// Sets aside a memory whose replay showed that it does not belong to this node, with the reason.
 Refused refuse(store::SqliteInputLog& log, const std::string& node, const std::string& why);
 
-/// Identity of a mission; it changes with the scenario file and with its overrides.
-std::string identity_of_mission(const std::string& scenario_file,
-                                const scenario_setup::Overrides& overrides);
+/// Identity of a mission; it changes with what its scenario says.
+std::string identity_of_mission(const scenario::Scenario& scenario);
 
 }  // namespace skein::daemon_main

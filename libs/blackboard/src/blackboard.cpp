@@ -105,7 +105,9 @@ std::uint64_t Blackboard::shed(NodeNumber peer) const {
                                                                 : found->line().limited()->shed();
 }
 
-MissionTime Blackboard::latest_heard() const { return impl_->latest_heard(); }
+const std::map<NodeNumber, MissionTime>& Blackboard::latest_heard() const {
+  return impl_->latest_heard();
+}
 
 std::uint64_t Blackboard::settled(NodeNumber peer) const {
   const Peer* found = impl_->directory().find(peer);

@@ -270,7 +270,8 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample&& sample, Now now
       hand_to(directory_.at(next->hop), std::move(next->sample), now);
     return;
   }
-  latest_heard_ = std::max(latest_heard_, MissionTime::nanoseconds(header.mission_time));
+  MissionTime& latest = latest_heard_[NodeNumber(header.origin)];
+  latest = std::max(latest, MissionTime::nanoseconds(header.mission_time));
   if (world) return admit_published(origin, std::move(sample), now);
   admit_from_peer(channel, *origin, std::move(sample), now);
 }

@@ -50,7 +50,7 @@ class Blackboard::Impl {
   void change(NodeNumber number, const std::function<void(Peer&)>& change);
   const Directory& directory() const { return directory_; }
   std::size_t channels() const { return config_.channels.size(); }
-  MissionTime latest_heard() const { return latest_heard_; }
+  const std::map<NodeNumber, MissionTime>& latest_heard() const { return latest_heard_; }
 
  private:
   void write(std::size_t channel, const wire::Sample& sample) {
@@ -116,8 +116,8 @@ class Blackboard::Impl {
   /// What came from peers in the same moment as words about links: those hold first.
   std::vector<Arrival> behind_links_;
   std::vector<Incoming> out_;
-  MissionTime latest_heard_;
-  std::optional<routing::Forwarding> forwarding_;  ///< present if there are relays
+  std::map<NodeNumber, MissionTime> latest_heard_;  ///< by origin
+  std::optional<routing::Forwarding> forwarding_;   ///< present if there are relays
   /// The last states sent; kept only if there are relays or the incarnation is a guess. Those of
   /// the world channel have the destination kEverybody.
   std::map<OwnStateKey, wire::Sample> own_states_;

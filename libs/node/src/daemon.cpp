@@ -11,7 +11,9 @@
 #include "job_runner.hpp"
 #include "skein/blackboard/dds_transport.hpp"
 #include "skein/blackboard/handshakes.hpp"
+#include "skein/blackboard/programs.hpp"
 #include "skein/journal/lines/mission.hpp"
+#include "skein/node/agreement.hpp"
 #include "skein/node/heartbeat.hpp"
 #include "skein/node/mission_clock.hpp"
 #include "skein/node/wakeful_time.hpp"
@@ -47,9 +49,14 @@ class Daemon {
       : roster_(roster),
         self_(self),
         config_(config),
-        transport_(blackboard::make_dds_transport({config.domain, self.name, config.network,
-                                                   config.on_middleware_log, roster.names(), false,
-                                                   handshakes_})),
+        agreement_(roster, self_, config.scenario,
+                   [programs = programs_](const std::string& node) {
+                     return programs->description_of(node);
+                   }),
+        transport_(blackboard::make_dds_transport(
+            {config.domain, self.name, config.network, config.on_middleware_log, roster.names(),
+             false, handshakes_, config.scenario.empty() ? "" : config.scenario.text(),
+             programs_})),
         follower_(config.world ? MissionClock::kSilence : Duration::max()),
         leader_(config.rate),
         heartbeat_(steady_heartbeat(config.heartbeat, config.rate)),
@@ -92,20 +99,22 @@ class Daemon {
     while (!waker_.stop_requested()) {
       turn();
       if (config_.on_turn) config_.on_turn(phase());
-      if (config_.on_waiting) tell_what_it_waits_for();
+      tell_what_is_wrong();
       if (over()) return DaemonEnd::kFinished;
       if (is_unmet()) return DaemonEnd::kUnmet;
+      if (is_refused()) return DaemonEnd::kOtherScenario;
       waker_.wait(until_next_wakeup());
     }
     return DaemonEnd::kStopped;
   }
 
   void turn() {
-    wakeful_.run(Waker::steady_now(), host_->next_steady_wakeup());
+    const bool mute = is_mute();
+    wakeful_.run(Waker::steady_now(), mute ? std::nullopt : host_->next_steady_wakeup());
     for (JobDone& done : jobs_.take_done()) host_->job_done(std::move(done), now());
     if (jobs_aside_)
       for (JobDone& done : jobs_aside_->take_done()) host_->job_done(std::move(done), now());
-    host_->step(now());
+    mute ? host_->listen(now()) : static_cast<void>(host_->step(now()));
     if (!config_.world && !config_.leads_clock) take_time_of_peers();
     if (config_.companion != nullptr) hear_companion();
     if (listening_ && listening_->is_over(Waker::steady_now(), hears_followers())) lead_again();
@@ -122,19 +131,39 @@ class Daemon {
     }
   }
 
-  // Who starts the daemons by hand may have forgotten one.
-  void tell_what_it_waits_for() {
+  void tell_what_is_wrong() {
     const Duration steady = Waker::steady_now();
-    if (phase() != wire::ClockPhase::kHolding || steady < next_told_) return;
-    if (next_told_ != Duration()) {
-      const std::string text = what_it_waits_for();
-      if (text != told_waiting_) config_.on_waiting(text);
-      told_waiting_ = text;
-    }
+    if (steady < next_told_) return;
+    const bool holds = phase() == wire::ClockPhase::kHolding;
+    if (holds && config_.on_waiting && next_told_ != Duration()) tell_what_it_waits_for();
+    if (!holds) tell_who_differs();
     next_told_ = steady + kToldWaiting;
   }
 
+  // Who starts the daemons by hand may have forgotten one.
+  void tell_what_it_waits_for() {
+    const std::string text = what_it_waits_for();
+    if (text != told_waiting_) config_.on_waiting(text);
+    told_waiting_ = text;
+  }
+
+  // Of a node that was refused, say, while others wonder where it is.
+  void tell_who_differs() {
+    const std::string text = agreement_.differences();
+    if (text == std::exchange(told_differing_, text) || text.empty()) return;
+    note(text);
+    flush_journal();
+  }
+
+  // While somebody differs nobody is ready.
   std::string what_it_waits_for() const {
+    const std::string differing = agreement_.differences();
+    if (differing.empty()) return whom_it_waits_for();
+    if (!config_.leads_clock) return "waits for the mission to start: " + differing;
+    return (not_there_.empty() ? "the mission waits: " : whom_it_waits_for() + "; ") + differing;
+  }
+
+  std::string whom_it_waits_for() const {
     if (!config_.leads_clock)
       return clock_heard_ ? "waits for the mission to start: not all are ready"
                           : "waits for the mission to start: its clock is not heard";
@@ -167,7 +196,7 @@ class Daemon {
 
   // Before the start theirs is zero.
   void take_time_of_peers() {
-    const MissionTime theirs = host_->latest_heard();
+    const MissionTime theirs = agreement_.latest(host_->latest_heard());
     if (theirs <= time_of_peers_) return;
     time_of_peers_ = theirs;
     clock_heard_ = true;
@@ -198,15 +227,33 @@ class Daemon {
       if (roster_.find(name) == nullptr || name == self_.name) continue;
       const Duration limit = config_.handshake_limit;
       if (lasts < (self_.name > name ? limit : limit + limit)) continue;
-      unsent_records_.push_back(
-          {journal::record_of(now().mission, self_.name,
-                              journal::lines::Notice{.text = "the handshake with " + name +
-                                                             " does not end: it takes part anew"}),
-           {}});
+      note("the handshake with " + name + " does not end: it takes part anew");
       flush_journal();
       return true;
     }
     return false;
+  }
+
+  // Whoever has begun to live did so by the time of those that agree, or leads them.
+  bool lives() const {
+    if (!config_.leads_clock) return host_->started();
+    return listening_ || leader_.phase() != wire::ClockPhase::kHolding;
+  }
+
+  // Those with another scenario that fly must not take this node for one that has come back without
+  // its memory: it listens until it knows whether they fly.
+  bool is_mute() const {
+    return !lives() && !agreement_.differences().empty() &&
+           agreement_.latest(host_->latest_heard()) == MissionTime();
+  }
+
+  bool is_refused() {
+    if (lives()) return false;
+    const auto why = agreement_.refusal(host_->latest_heard());
+    if (!why) return false;
+    note(*why);
+    flush_journal();
+    return true;
   }
 
   std::optional<Duration> until_next_wakeup() const {
@@ -214,7 +261,8 @@ class Daemon {
     const auto sooner = [&](std::optional<Duration> at) {
       if (at && (!next || *at < *next)) next = at;
     };
-    if (const auto at = host_->next_steady_wakeup()) sooner(wakeful_.steady_at(*at));
+    const auto due = host_->next_steady_wakeup();
+    if (due) sooner(is_mute() ? Waker::steady_now() + kClockPeriod : wakeful_.steady_at(*due));
     if (const auto at = host_->next_mission_wakeup()) {
       sooner(config_.leads_clock ? leader_.steady_at(*at)
                                  : follower_.steady_at(*at, Waker::steady_now()));
@@ -254,6 +302,7 @@ class Daemon {
     const bool is_link = std::holds_alternative<wire::LinkState>(sample);
     if (config_.companion != nullptr && is_link) config_.companion->sees(sample);
     if (const auto* clock = std::get_if<wire::Clock>(&sample)) {
+      if (!agreement_.agrees(NodeNumber(clock->header.origin))) return;
       follower_.update(*clock, Waker::steady_now());
       clock_heard_ = true;
     } else if (const auto* entry = std::get_if<wire::DirectoryEntry>(&sample)) {
@@ -287,11 +336,13 @@ class Daemon {
     listening_.emplace(Waker::steady_now(), std::max(kListens, heartbeat_ + heartbeat_));
   }
 
-  bool hears_followers() const { return host_->latest_heard() > *host_->resumed_from(); }
+  bool hears_followers() const {
+    return agreement_.latest(host_->latest_heard()) > *host_->resumed_from();
+  }
 
   void lead_again() {
     const MissionTime was = *host_->resumed_from();
-    const MissionTime theirs = host_->latest_heard();
+    const MissionTime theirs = agreement_.latest(host_->latest_heard());
     const bool credible = theirs > was && theirs < was + kMostAhead;
     leader_.set(credible ? theirs : was, Waker::steady_now());
     leader_.run(Waker::steady_now());
@@ -302,7 +353,9 @@ class Daemon {
   void lead() {
     const Duration steady = Waker::steady_now();
     const wire::ClockPhase before = leader_.phase();
-    if (before == wire::ClockPhase::kHolding && awaited_.empty() && introduced_as_ready_) {
+    const bool may_begin =
+        awaited_.empty() && introduced_as_ready_ && agreement_.differences().empty();
+    if (before == wire::ClockPhase::kHolding && may_begin) {
       leader_.run(steady);
       record_mission("started");
     } else if (before == wire::ClockPhase::kRunning) {
@@ -316,6 +369,11 @@ class Daemon {
     if (steady < next_clock_ && leader_.phase() == before) return;
     host_->publish(leader_.sample(steady), now());
     next_clock_ = steady + kClockPeriod;
+  }
+
+  void note(const std::string& text) {
+    unsent_records_.push_back(
+        {journal::record_of(now().mission, self_.name, journal::lines::Notice{.text = text}), {}});
   }
 
   void record_mission(const char* state) {
@@ -342,6 +400,8 @@ class Daemon {
   Waker waker_;  // first: it blocks the signals before the middleware makes its threads
   const std::shared_ptr<blackboard::Handshakes> handshakes_ =
       std::make_shared<blackboard::Handshakes>();
+  const std::shared_ptr<blackboard::Programs> programs_ = std::make_shared<blackboard::Programs>();
+  const Agreement agreement_;
   std::unique_ptr<blackboard::Transport> transport_;
   MissionClock follower_;
   ClockLeader leader_;
@@ -357,8 +417,9 @@ class Daemon {
   std::set<std::string> awaited_;    ///< not ready
   std::set<std::string> not_there_;  ///< of them
   Duration next_clock_;
-  Duration next_told_;        ///< steady: when to say what it waits for; zero: not yet waited
-  std::string told_waiting_;  ///< what was said last
+  Duration next_told_;          ///< steady: when to say what it waits for; zero: not yet waited
+  std::string told_waiting_;    ///< what was said last
+  std::string told_differing_;  ///< likewise, while the mission runs
   std::optional<LeaderListening> listening_;  ///< leader that comes back: then it leads again
   std::optional<MissionTime> finish_at_;
   std::optional<Duration> finished_at_;

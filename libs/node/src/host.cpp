@@ -190,6 +190,12 @@ bool Host::step(Now now) {
   return busy;
 }
 
+void Host::listen(Now now) {
+  std::vector<blackboard::Incoming> incoming = blackboard_.receive(now, started_);
+  apply_links(incoming, now);
+  for (auto& one : incoming) take(std::move(one), now);
+}
+
 Result<void, Failure> Host::recall(Survey past) {
   Recollection recollection(*node_, &blackboard_, std::move(past));
   if (auto recalled = recollection.run(*config_.memory); !recalled) return recalled;
@@ -412,24 +418,6 @@ void Host::take_received(blackboard::Received received, Now now) {
   give(Received{received.origin, std::move(received.sample)}, now);
 }
 
-void Host::log_route(const blackboard::RouteChanged& route, Now now) {
-  lines::Route line{.peer = roster_.name_of(route.peer)};
-  if (route.via) {
-    line.via = roster_.name_of(*route.via);
-    line.relays = route.relays;
-  }
-  log(std::move(line), now);
-}
-
-void Host::log_older(const blackboard::TakenForOlder& one, Now now) {
-  const std::string peer = roster_.name_of(one.peer);
-  log(lines::Notice{.text = one.is_next ? peer + " knows a later life of this node, which is the "
-                                                 "next one to it now"
-                                        : peer + " hears another node of this name, and takes "
-                                                 "this one for older"},
-      now);
-}
-
 void Host::apply_links(const std::vector<blackboard::Incoming>& incoming, Now now) {
   if (config_.told == ToldOfLinks::kNothing) return;
   for (const blackboard::Incoming& one : incoming) {
@@ -476,25 +464,6 @@ blackboard::ChannelCondition Host::condition_of(const wire::LinkState& link) con
   condition.loss = link.loss;
   condition.capacity = link.capacity * config_.rate * config_.share_of_samples;
   return condition;
-}
-
-void Host::log_unsent(wire::Slot slot, const std::string& to, blackboard::Refusal why, Now now) {
-  log(lines::Unsent{wire::slot_name(slot), to, blackboard::name_of(why)}, now);
-}
-
-void Host::log_message(const wire::Sample& sample, const std::string& from, const std::string& to,
-                       std::uint64_t sequence, const char* direction, Now now) {
-  lines::Message line{.slot = wire::slot_name(wire::slot_of(sample)),
-                      .from = from,
-                      .to = to,
-                      .sequence = sequence,
-                      .direction = direction};
-  if (const auto* negotiation = std::get_if<wire::NegotiationMessage>(&sample)) {
-    line.subject = negotiation->subject;
-    line.opener = negotiation->opener;
-    line.opened = MissionTime::nanoseconds(negotiation->opened).to_seconds();
-  }
-  log(line, now);
 }
 
 }  // namespace skein::node

@@ -64,11 +64,12 @@ class Daemons : public ::testing::TestWithParam<const char*> {
     std::filesystem::remove_all(folder_);
   }
 
-  void start(const std::string& name, const std::string& finish = "0") {
+  void start(const std::string& name, const std::string& finish = "0",
+             const std::string& zones = "1") {
     const std::string program = SKEIN_BINARY_DIR "/bin/skein_node_test_daemon";
     std::vector<std::string> words{
-        program,       std::to_string(lease_.value().domain()),          name, finish,
-        file_of(name), std::string(name_of(vendor_of(GetParam(), name)))};
+        program,       std::to_string(lease_.value().domain()),           name,  finish,
+        file_of(name), std::string(name_of(vendor_of(GetParam(), name))), zones, "on"};
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -191,6 +192,51 @@ TEST_P(Daemons, SayOnceWhomTheStartWaitsFor) {
 
   start("a");
   EXPECT_TRUE(until([&] { return ticks_read("a") >= 50; }));
+}
+
+TEST_P(Daemons, TheClockDoesNotStartWithOneThatFliesAnotherScenario) {
+  start("sim");
+  start("ground");
+  start("a", "0", "2");
+
+  const std::map<std::string, std::string> expected{
+      {"sim", "the mission waits: the scenario of a differs in zones"},
+      {"ground", "waits for the mission to start: the scenario of a differs in zones"},
+      {"a", "waits for the mission to start: the scenario of ground, sim differs in zones"}};
+  for (const auto& [name, text] : expected) {
+    EXPECT_TRUE(until([&] { return !waits(name).empty() && waits(name).back() == text; }))
+        << name << ": " << ::testing::PrintToString(waits(name));
+  }
+  for (const wire::Clock& clock : clocks_) EXPECT_EQ(clock.phase, wire::ClockPhase::kHolding);
+
+  stop("a", SIGKILL);
+  ASSERT_TRUE(until_ended("a"));
+  start("a");
+  EXPECT_TRUE(until([&] { return ticks_read("a") >= 50; }));
+}
+
+TEST_P(Daemons, OneThatComesBackWithAnotherScenarioTakesNoPart) {
+  start_all();
+  ASSERT_TRUE(until([&] { return ticks_read("a") >= 50; }));
+  stop("a", SIGKILL);
+  ASSERT_TRUE(until_ended("a"));
+  ends_.clear();
+
+  start("a", "0", "2");
+
+  ASSERT_TRUE(until_ended("a"));
+  EXPECT_EQ(ends_.at("a"), 2);
+  ASSERT_FALSE(written("a").empty());
+  EXPECT_NE(written("a").back().find("a mission is under way, and the scenario of "),
+            std::string::npos);
+  for (const std::string& line : written("a")) EXPECT_EQ(line.find("life"), line.npos) << line;
+  ends_.clear();
+  start("a");
+  EXPECT_TRUE(until([&] {
+    const auto lines = written("a");
+    return std::ranges::any_of(lines,
+                               [](const auto& line) { return line.find("tick") != line.npos; });
+  }));
 }
 
 TEST_P(Daemons, MissionTimeAdvancesAtTheFollowersInStepWithTheLeaders) {

@@ -55,6 +55,7 @@ class Lock {
 };
 
 constexpr const char* kAside = ".aside-";
+constexpr const char* kOfAnother = "of another scenario";
 
 /// Numbers of the files that were set aside, in their order.
 std::set<int> numbers_aside(const Files& files) {
@@ -72,6 +73,13 @@ std::set<int> numbers_aside(const Files& files) {
   return numbers;
 }
 
+/// The file of a database with those that belong to it.
+void rename_all(const fs::path& from, const fs::path& to) {
+  std::error_code ignored;
+  for (const char* part : {"", "-wal", "-shm"})
+    fs::rename(from.string() + part, to.string() + part, ignored);
+}
+
 /// Sets the file aside, and removes the eldest of those that are too many. Gives under which name
 /// it is now, and what was removed, in words.
 std::string set_aside(const Files& files) {
@@ -79,9 +87,7 @@ std::string set_aside(const Files& files) {
   const std::string begin = files.state.string() + kAside;
   const fs::path name = begin + std::to_string(numbers.empty() ? 1 : *numbers.rbegin() + 1);
   std::error_code ignored;
-  fs::rename(files.state, name, ignored);
-  for (const char* companion : {"-wal", "-shm"})
-    fs::rename(files.state.string() + companion, name.string() + companion, ignored);
+  rename_all(files.state, name);
   fs::remove(files.complete, ignored);
   std::string told = "it is " + name.string() + " now";
   for (; numbers.size() >= SqliteInputLog::kSetAside; numbers.erase(numbers.begin())) {
@@ -102,7 +108,7 @@ std::string objection(Database& database, const Files& files, const Identity& id
   if (const std::string sound = database.soundness(); sound != "ok") return "damaged: " + sound;
   const std::string node = database.about(kNode);
   if (node != identity.node) return "of node '" + node + "'";
-  if (database.about(kMission) != identity.mission) return "of another scenario";
+  if (database.about(kMission) != identity.mission) return kOfAnother;
   if (!database.about(kOver).empty()) return "of a mission that is over";
   const std::string messages = database.about(kMessages);
   if (!messages.empty() && messages != wire::layout_mark())
@@ -164,6 +170,17 @@ class SqliteInputLog::Impl {
     return now;
   }
 
+  bool take_back() {
+    const std::set<int> numbers = numbers_aside(files_);
+    if (!was_complete_ || numbers.empty()) return false;
+    database_.reset();
+    std::error_code ignored;
+    for (const char* part : {"", "-wal", "-shm"}) fs::remove(files_.state.string() + part, ignored);
+    rename_all(files_.state.string() + kAside + std::to_string(*numbers.rbegin()), files_.state);
+    mark_complete();
+    return true;
+  }
+
   Result<void, Failure> append(const node::LogEntry& entry) {
     if (given_up_) return failure("it was given up");
     held_.push_back(row_of(entry));
@@ -208,7 +225,9 @@ class SqliteInputLog::Impl {
     } catch (const std::exception& error) {
       why = std::string("damaged: ") + error.what();
     }
-    return why.empty() ? why : aside(why);
+    if (why.empty()) return why;
+    was_complete_ = why == kOfAnother && fs::exists(files_.complete);
+    return aside(why);
   }
 
   std::string aside(const std::string& why) {
@@ -281,6 +300,7 @@ class SqliteInputLog::Impl {
   std::uint64_t told_ = 0;
   std::uint64_t largest_;
   bool complete_ = true, given_up_ = false, folds_ = true, nearly_full_ = false;
+  bool was_complete_ = false;  ///< what was set aside, of another scenario
   std::string news_;
 };
 
@@ -354,6 +374,8 @@ void SqliteInputLog::conclude() {
     fs::remove(impl_->files().complete, ignored);  // not to be resumed from, all the same
   }
 }
+
+bool SqliteInputLog::take_back() { return impl_->take_back(); }
 
 Result<std::string, Failure> SqliteInputLog::start_anew() {
   try {

@@ -187,6 +187,27 @@ TEST_F(SetAside, AnotherScenarios) {
   expect_aside("of another scenario", {"marvin", "comets 2"});
 }
 
+TEST_F(SetAside, AnotherScenariosIsTakenBackAsItWas) {
+  live();
+  {
+    const Opened opened = open({"marvin", "comets 2"});
+    ASSERT_TRUE(opened.log->append({MissionTime(), node::Started{7}}));
+    EXPECT_TRUE(opened.log->take_back());
+  }
+  const Opened next = open();
+  EXPECT_EQ(next.set_aside, "");
+  EXPECT_EQ(texts(*next.log), texts(one_of_each()));
+  EXPECT_FALSE(fs::exists(state().string() + ".aside-1"));
+}
+
+TEST_F(SetAside, NothingElseIsTakenBack) {
+  EXPECT_FALSE(open().log->take_back());
+  live();
+  EXPECT_FALSE(open().log->take_back());
+  fs::remove(folder.path() / "marvin.complete");
+  EXPECT_FALSE(open({"marvin", "comets 2"}).log->take_back());
+}
+
 TEST_F(SetAside, AnotherNodes) {
   live();
   for (const char* part : {".state", ".state-wal"}) {

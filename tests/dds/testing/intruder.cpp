@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A member of a team that negotiates nonsense.
 //
-//   skein_dds_intruder DOMAIN RATE SELF UAV,UAV… DDS FOREIGN
+//   skein_dds_intruder DOMAIN RATE SELF UAV,UAV… DDS FOREIGN SCENARIO
 //
 // It is the decision node of SELF on one DDS, as far as the others see it: it is there, keeps time,
 // and its events arrive. What it is told in a negotiation it answers with an offer of a role that
@@ -22,6 +22,8 @@
 #include <vector>
 
 #include "skein/node/daemon.hpp"
+#include "skein/scenario/scenario_print.hpp"
+#include "skein/scenario_setup/overrides.hpp"
 #include "testing/foreign_writer.hpp"
 
 namespace {
@@ -150,7 +152,7 @@ std::vector<std::string> split(const std::string& names) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 7) return 2;
+  if (argc != 8) return 2;
   const std::string self = argv[3];
   std::vector<std::string> others = split(argv[4]), all = others;
   all.push_back(self);
@@ -160,6 +162,10 @@ int main(int argc, char** argv) {
   config.rate = std::strtod(argv[2], nullptr);  // latencies are of mission time
   config.network.dds = blackboard::dds_from_name(argv[5]).value();
   const auto foreign = blackboard::dds_from_name(argv[6]).value();
+  const auto scenario = scenario_setup::load_scenario(argv[7], {}, {});
+  if (!scenario) std::fprintf(stderr, "%s\n", to_text(scenario.error()).c_str());
+  if (!scenario) return 3;
+  config.scenario = scenario::print_of(*scenario);
 
   std::promise<void> end_of_mission;
   const std::shared_future<void> over = end_of_mission.get_future().share();

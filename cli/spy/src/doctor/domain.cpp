@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "domain.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "../text/table.hpp"
 #include "skein/blackboard/program_description.hpp"
 #include "skein/foundation/joined.hpp"
+#include "skein/scenario/scenario_print.hpp"
 
 namespace skein::spy_tool {
 
@@ -55,6 +57,7 @@ Findings Consultation::judge(const Graph& graph, std::uint32_t domain) const {
                       std::to_string(graph.participants().size()) + " participants with " +
                           std::to_string(graph.endpoints().size()) + " endpoints on " + name});
   judge_programs(graph, findings);
+  judge_scenarios(graph, findings);
   judge_nodes(graph, findings);
   judge_types(graph, findings);
   for (const auto& [what, times] : malformed_)
@@ -93,6 +96,28 @@ void Consultation::judge_programs(const Graph& graph, Findings& findings) const 
   if (!foreign.empty())
     findings.push_back(
         {Grade::kNote, "versions", "do not say which program they are: " + joined(foreign)});
+}
+
+// Those that most fly are what the others are compared with.
+void Consultation::judge_scenarios(const Graph& graph, Findings& findings) const {
+  std::map<std::string, std::set<std::string>> flown;
+  for (const auto& [guid, taking] : graph.participants()) {
+    const auto said = blackboard::parse_program_description(taking.participant.description);
+    if (said && !said->scenario.empty()) flown[said->scenario].insert(graph.owner_of(guid));
+  }
+  if (flown.empty()) return;
+  const auto most =
+      std::ranges::max_element(flown, {}, [](const auto& one) { return one.second.size(); });
+  if (flown.size() == 1)
+    findings.push_back({Grade::kGood, "scenario", "all fly the same: " + joined(most->second)});
+  for (const auto& [scenario, names] : flown) {
+    if (scenario == most->first) continue;
+    const auto sections = scenario::differing_sections(most->first, scenario);
+    findings.push_back({Grade::kBad, "scenario",
+                        joined(names) + " not the same as " + joined(most->second) + ": " +
+                            (sections ? "differs in " + skein::joined(*sections, ", ")
+                                      : "of another version of skein")});
+  }
 }
 
 void Consultation::judge_nodes(const Graph& graph, Findings& findings) const {

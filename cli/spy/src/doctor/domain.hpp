@@ -20,6 +20,7 @@ class Consultation {
 
  private:
   void judge_programs(const Graph& graph, Findings& findings) const;
+  void judge_scenarios(const Graph& graph, Findings& findings) const;
   void judge_nodes(const Graph& graph, Findings& findings) const;
   void judge_names(const Graph& graph, Findings& findings) const;
   /// "process 4711 at 10.0.0.1:7411"

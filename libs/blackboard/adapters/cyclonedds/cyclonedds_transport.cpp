@@ -17,6 +17,7 @@
 #include "bounded_call.hpp"
 #include "channel_endpoints.hpp"
 #include "middleware_log.hpp"
+#include "program_discovery.hpp"
 #include "qos.hpp"
 #include "settings.hpp"
 #include "skein/blackboard/program_description.hpp"
@@ -67,6 +68,7 @@ class CycloneDdsTransport::Impl {
   std::optional<rtps::ParticipantNumber> number_;
   rtps::Links links_;
   cyclonedds::WriterDiscovery discovery_{links_.awaited()};
+  cyclonedds::ProgramDiscovery programs_{config_.programs};
   dds_entity_t domain_ = 0;  ///< owns all other entities
   dds_entity_t participant_ = 0;
   cyclonedds::Topics topics_{participant_};
@@ -109,7 +111,7 @@ dds_entity_t CycloneDdsTransport::Impl::make_participant() const {
   if (domain_ <= 0) return domain_;
   const cyclonedds::Qos qos(dds_create_qos());
   dds_qset_entity_name(qos.get(), config_.participant_name.c_str());
-  const std::string description = to_text(program_description());
+  const std::string description = to_text(program_description(config_.scenario));
   dds_qset_userdata(qos.get(), description.data(), description.size());
   return dds_create_participant(id_, qos.get(), nullptr);
 }
@@ -120,7 +122,8 @@ Result<void, Failure> CycloneDdsTransport::Impl::join(const rtps::Pace& pace) {
   if (!number_) return failure("too many DDS participants in domain " + domain);
   domain_ = dds_create_domain(id_, cyclonedds::settings(config_, number_->value(), pace).c_str());
   const dds_entity_t participant = make_participant();
-  const dds_return_t watches = participant > 0 ? discovery_.begin(participant) : participant;
+  dds_return_t watches = participant > 0 ? programs_.begin(participant) : participant;
+  if (watches >= 0) watches = discovery_.begin(participant);
   const std::lock_guard lock(said_mutex_);
   participant_ = participant;
   if (watches > 0) return {};

@@ -29,11 +29,14 @@ std::string text_of(const frtps::GuidPrefix_t& guid) {
   return text.str();
 }
 
-/// Tells of the writers that others have, and of handshakes with others.
+/// Tells of the writers that others have, of handshakes with others, and which programs they are.
 class Discovery final : public dds::DomainParticipantListener {
  public:
-  Discovery(rtps::AwaitedWriters& awaited, Handshakes* handshakes)
-      : awaited_(awaited), handshakes_(handshakes) {}
+  Discovery(rtps::AwaitedWriters& awaited, const DdsConfig& config)
+      : awaited_(awaited),
+        handshakes_(config.handshakes.get()),
+        programs_(config.programs.get()),
+        secured_(!config.network.keys.empty()) {}
 
   void on_publisher_discovery(dds::DomainParticipant* participant,
                               frtps::WriterDiscoveryInfo&& found) override {
@@ -47,8 +50,9 @@ class Discovery final : public dds::DomainParticipantListener {
   void on_participant_discovery(dds::DomainParticipant* /*participant*/,
                                 frtps::ParticipantDiscoveryInfo&& found) override {
     using Info = frtps::ParticipantDiscoveryInfo;
-    if (handshakes_ == nullptr) return;
     const std::string guid = text_of(found.info.m_guid.guidPrefix);
+    note_program(guid, found);
+    if (handshakes_ == nullptr) return;
     if (found.status == Info::DISCOVERED_PARTICIPANT) {
       const auto now = std::chrono::steady_clock::now().time_since_epoch();
       handshakes_->begun(guid, found.info.m_participantName.c_str(),
@@ -61,13 +65,28 @@ class Discovery final : public dds::DomainParticipantListener {
   void onParticipantAuthentication(dds::DomainParticipant* /*participant*/,
                                    frtps::ParticipantAuthenticationInfo&& info) override {
     using Info = frtps::ParticipantAuthenticationInfo;
-    if (handshakes_ != nullptr && info.status == Info::AUTHORIZED_PARTICIPANT)
-      handshakes_->ended(text_of(info.guid.guidPrefix));
+    if (info.status != Info::AUTHORIZED_PARTICIPANT) return;
+    const std::string guid = text_of(info.guid.guidPrefix);
+    if (programs_ != nullptr) programs_->proved(guid);
+    if (handshakes_ != nullptr) handshakes_->ended(guid);
   }
 
  private:
+  void note_program(const std::string& guid, const frtps::ParticipantDiscoveryInfo& found) {
+    using Info = frtps::ParticipantDiscoveryInfo;
+    if (programs_ == nullptr) return;
+    const bool there = found.status == Info::DISCOVERED_PARTICIPANT ||
+                       found.status == Info::CHANGED_QOS_PARTICIPANT;
+    if (!there) return programs_->gone(guid);
+    const auto& said = found.info.m_userData.data_vec();
+    programs_->found(guid, found.info.m_participantName.c_str(), {said.begin(), said.end()},
+                     !secured_);
+  }
+
   rtps::AwaitedWriters& awaited_;
   Handshakes* handshakes_;
+  Programs* programs_;
+  bool secured_;
 };
 
 }  // namespace
@@ -89,7 +108,7 @@ class FastDdsTransport::Impl {
   DdsConfig config_;
   fastdds::MiddlewareLog log_;
   rtps::Links links_;
-  Discovery discovery_{links_.awaited(), config_.handshakes.get()};
+  Discovery discovery_{links_.awaited(), config_};
   fastdds::Participation participation_;  // ends before what its threads use
   fastdds::Topics topics_{participation_};
 };

@@ -108,7 +108,7 @@ dds::DomainParticipantQos participant_qos(const DdsConfig& config, std::uint32_t
                                           const rtps::Pace& pace, Departures departures) {
   dds::DomainParticipantQos qos;
   qos.name(config.participant_name);
-  const std::string description = to_text(program_description());
+  const std::string description = to_text(program_description(config.scenario));
   qos.user_data().data_vec({description.begin(), description.end()});
   auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   transport->sendBufferSize = kSocketBuffer;

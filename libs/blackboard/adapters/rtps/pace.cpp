@@ -11,7 +11,7 @@ using std::chrono::milliseconds;
 
 constexpr double kBitsPerByte = 8;
 /// As measured, with what carries them [byte].
-constexpr double kAnnouncement = 800, kHeartbeat = 110;
+constexpr double kAnnouncement = 900, kHeartbeat = 110;
 constexpr double kForAnnouncements = 0.05, kForAWriter = 0.02;  ///< shares of the channel
 constexpr milliseconds kRarestAnnouncement{20'000}, kRarestHeartbeat{5000};
 /// A silent participant must not be forgotten for a few announcements that were lost: to meet it

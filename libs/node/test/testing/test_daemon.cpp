@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small daemon for the tests of run_daemon: skein_node_test_daemon DOMAIN NAME FINISH FILE DDS
+// A small daemon for the tests of run_daemon:
+// skein_node_test_daemon DOMAIN NAME FINISH FILE DDS ZONES WORLD
 // System of ground, sim and UAV "a"; sim leads the clock at rate 10. Every mission second the node
 // writes 50 records; at mission second FINISH (0: never) the ground ends the mission and everybody
 // writes 1000 at once, a second later, just before they stop.
 // FILE: where every record of this daemon goes, one line each; into FILE.waits what it waits for.
-// Exit: 0 finished, 10 stopped, 3 failure.
+// ZONES: those of the scenario that it flies. WORLD: "on", or "off": the ground leads the clock.
+// Exit: 0 finished, 10 stopped, 2 of another scenario, 3 failure.
 #include <any>
 #include <cstdio>
 #include <cstdlib>
@@ -86,7 +88,7 @@ class Talker final : public Node {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 6) return 2;
+  if (argc != 8) return 70;
   const std::string name = argv[2];
   std::ofstream file(argv[4]);
   const Roster roster({"a"});
@@ -94,7 +96,10 @@ int main(int argc, char** argv) {
   config.domain = static_cast<std::uint32_t>(std::strtoul(argv[1], nullptr, 10));
   config.network.dds = skein::blackboard::dds_from_name(argv[5]).value();
   config.rate = 10;
-  config.leads_clock = name == "sim";
+  config.scenario.add("places", 1);
+  config.scenario.add("zones", std::strtoul(argv[6], nullptr, 10));
+  config.world = std::string(argv[7]) == "on";
+  config.leads_clock = name == (config.world ? "sim" : "ground");
   if (config.leads_clock) config.awaited = {"ground", "sim", "a"};
   config.time_limit = MissionTime::seconds(60);
   config.on_record = [&](const skein::journal::Record& record, skein::node::LineMark) {
@@ -108,5 +113,6 @@ int main(int argc, char** argv) {
       run_daemon(roster, *roster.find(name), std::make_unique<Talker>(name, finish), config);
   if (!end) std::fprintf(stderr, "%s: %s\n", name.c_str(), end.error().why.c_str());
   if (!end) return 3;
+  if (*end == DaemonEnd::kOtherScenario) return 2;
   return *end == DaemonEnd::kFinished ? 0 : 10;
 }

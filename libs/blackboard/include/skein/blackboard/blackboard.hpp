@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -251,8 +252,8 @@ class Blackboard {
   /// Number of states and streams to this peer that a newer value replaced before the channel had
   /// room for them; 0 for nodes that are no peers and for channels of unlimited capacity.
   std::uint64_t shed(NodeNumber peer) const;
-  /// The latest mission time in the headers of all well-formed samples received.
-  MissionTime latest_heard() const;
+  /// The latest mission time in the headers of well-formed samples received, by their origin.
+  const std::map<NodeNumber, MissionTime>& latest_heard() const;
   /// The sequence number up to which all events to this peer are acknowledged or given up.
   std::uint64_t settled(NodeNumber peer) const;
   /// The same for long events; 0: none is.

@@ -11,6 +11,7 @@
 #include "skein/blackboard/channel.hpp"
 #include "skein/blackboard/handshakes.hpp"
 #include "skein/blackboard/network.hpp"
+#include "skein/blackboard/programs.hpp"
 
 namespace skein::blackboard {
 
@@ -30,6 +31,11 @@ struct DdsConfig {
   /// With keys, Fast DDS: receives the beginning and end of each authentication handshake. May be
   /// null.
   std::shared_ptr<Handshakes> handshakes = {};
+  /// The fingerprint of the scenario that this node flies, for its program description; empty:
+  /// none.
+  std::string scenario = {};
+  /// Receives the descriptions of the other participants. May be null.
+  std::shared_ptr<Programs> programs = {};
 };
 
 }  // namespace skein::blackboard

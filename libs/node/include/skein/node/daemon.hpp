@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "skein/blackboard/network.hpp"
+#include "skein/foundation/section_prints.hpp"
 #include "skein/node/companion.hpp"
 #include "skein/node/host.hpp"
 
@@ -54,12 +55,16 @@ struct DaemonConfig {
   /// max(): no limit.
   Duration handshake_limit = Duration::max();
   Companion* companion = nullptr;  ///< must outlive the daemon; null: none
+  /// The fingerprint of the scenario that this node flies; empty: of none, it agrees with all.
+  SectionPrints scenario = {};
 };
 
 enum class DaemonEnd {
-  kFinished,  ///< the mission is over
-  kStopped,   ///< SIGINT or SIGTERM
-  kUnmet      ///< with keys: a handshake did not end in time; the daemon is to be restarted
+  kFinished,      ///< the mission is over
+  kStopped,       ///< SIGINT or SIGTERM
+  kUnmet,         ///< with keys: a handshake did not end in time; the daemon is to be restarted
+  kOtherScenario  ///< a mission is under way whose scenario differs; this node has not begun to
+                  ///< live
 };
 
 /// Runs the node until the mission is over or a signal asks it to stop. Mission time follows the

@@ -129,6 +129,8 @@ class Host {
   /// Processes arrivals, wakes the node if it is due, carries out effects. True if there was
   /// anything to do, so that a runtime can go on until all hosts are quiet.
   bool step(blackboard::Now now);
+  /// Processes arrivals only: this node says nothing.
+  void listen(blackboard::Now now);
   /// Gives the node a sample that a member of the roster in this process (see Companion) sends, as
   /// if it had come over the world channel. Without effect before start(). A malformed sample is
   /// logged.
@@ -145,8 +147,10 @@ class Host {
     return earliest(node_due_, blackboard_.next_expiry());
   }
   std::optional<Duration> next_steady_wakeup() const { return blackboard_.next_wakeup(); }
-  /// The latest mission time in the samples of all peers.
-  MissionTime latest_heard() const { return blackboard_.latest_heard(); }
+  /// The latest mission time in the samples of each node that was heard.
+  const std::map<NodeNumber, MissionTime>& latest_heard() const {
+    return blackboard_.latest_heard();
+  }
   /// True once every peer with a radio or onboard channel to this node has been heard, except peers
   /// whose radio link is down.
   bool all_peers_heard() const;

@@ -69,6 +69,10 @@ class SqliteInputLog final : public node::InputLog {
   /// Sets the file aside, because it turned out not to be the memory of this node, and begins
   /// another. Returns a sentence that says where the old file is.
   Result<std::string, Failure> start_anew();
+  /// Puts the memory of another scenario that open() set aside back in its place, as it was: this
+  /// process did not begin to live. False: there was none, or it was incomplete. Nothing else may
+  /// be called afterwards.
+  bool take_back();
 
  private:
   class Impl;
