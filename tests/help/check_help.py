@@ -147,7 +147,7 @@ def run_live(runner, examples):
     for example in (one for one in live if re.search(after, one)):
         if "skein-sim" in example:
             layer = runner.start(example + " wait")
-        elif "functional" in example:
+        elif example.startswith("skein functional"):
             runner.run(example, 120)
             os.killpg(layer.pid, signal.SIGINT)
             layer.communicate(timeout=60)
