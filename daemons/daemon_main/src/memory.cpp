@@ -49,11 +49,11 @@ Refused refuse(store::SqliteInputLog& log, const std::string& node, const std::s
   return refused;
 }
 
-// What the simulator alone goes by counts too: its node would else not do what it has done.
+// What nodes need not agree on counts too: the node would else not do what it has done.
 std::string identity_of_mission(const scenario::Scenario& scenario) {
   return std::filesystem::path(scenario.file).stem().string() + " " +
          scenario::print_of(scenario).text() + " " +
-         fingerprint_text(scenario::print_of_faults(scenario));
+         fingerprint_text(scenario::print_of_own(scenario));
 }
 
 }  // namespace skein::daemon_main

@@ -98,14 +98,13 @@ SectionPrints print_of(const Scenario& scenario) {
   prints.add("objects", Meaning().by_name(world.objects).value());
   prints.add("radio", Meaning().all(scenario.radio, scenario.slots).value());
   prints.add("planning", planning_of(scenario));
-  prints.add("joint tasks", joint_tasks_of(scenario));
   prints.add("team", Meaning().all(scenario.team).value());
   prints.add("ground station", ground_of(scenario.ground));
   return prints;
 }
 
-std::uint64_t print_of_faults(const Scenario& scenario) {
-  return Meaning().all(scenario.faults).value();
+std::uint64_t print_of_own(const Scenario& scenario) {
+  return Meaning().all(scenario.faults, joint_tasks_of(scenario)).value();
 }
 
 std::optional<std::vector<std::string>> differing_sections(std::string_view one,
