@@ -245,6 +245,14 @@ bool left_without_knowing(const JointHistory& history, const JointTold& aborted,
          (left->why == "interrupted" || lost_its_player(history, aborted.uav, *left));
 }
 
+/// Whether it came back to it, and took part to the end.
+bool came_back(const JointHistory& history, const JointTold& aborted) {
+  return std::ranges::any_of(history.joints, [&](const JointTold& one) {
+    return one.uav == aborted.uav && one.joint == aborted.joint &&
+           one.phases.front().at > aborted.phases.front().at && one.phases.back().phase == "ended";
+  });
+}
+
 std::vector<Violation> joint_tasks_apart(const History& history) {
   std::vector<Violation> result;
   const bool excused =
@@ -253,6 +261,7 @@ std::vector<Violation> joint_tasks_apart(const History& history) {
   if (excused) return result;
   for (const JointTold& told : history.joint.joints) {
     if (told.phases.back().phase != "aborted" || told.componels.empty()) continue;
+    if (came_back(history.joint, told)) continue;
     const auto other = std::find_if(
         history.joint.joints.begin(), history.joint.joints.end(), [&](const JointTold& one) {
           return one.phases.back().phase == "ended" && one.uav != told.uav &&

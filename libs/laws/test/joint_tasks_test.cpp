@@ -131,6 +131,20 @@ TEST(JointLaws, WhoIsInterruptedAfterTheOthersEndedIsNotApartFromThem) {
               ElementsAre(HasSubstr("has ended at marvin")));
 }
 
+// area-sharing/air-closes: air closed around it, and it was taken in again.
+TEST(JointLaws, WhoIsInterruptedAndComesBackToItIsNotApartFromThem) {
+  const auto comes_back_and = [](const std::string& how) {
+    Told told;
+    told.phase(10, "marvin", "running", "watch").componel(11, "marvin", "w1", "ended");
+    told.phase(10, "heliv", "running", "relay").componel(11, "heliv", "r1", "ended");
+    told.phase(20, "heliv", "aborted", "relay", "interrupted");
+    told.phase(25, "heliv", "running", "relay", "", 8).phase(48, "heliv", how, "relay", "", 8);
+    return told.phase(50, "marvin", "ended", "watch").broken(joint_tasks_apart);
+  };
+  EXPECT_THAT(comes_back_and("ended"), IsEmpty());
+  EXPECT_THAT(comes_back_and("aborted"), ::testing::Not(IsEmpty()));
+}
+
 TEST(JointLaws, WhoGivesUpHearingOfTheEndOverARadioThatIsDownIsNotApartFromThem) {
   const auto gives_up = [](double down, double up,
                            const std::string& why = "no contact with 'marvin'") {
