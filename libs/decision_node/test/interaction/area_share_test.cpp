@@ -5,23 +5,22 @@
 #include <gtest/gtest.h>
 
 #include "interaction/area_cutting.hpp"
-#include "skein/world/segment.hpp"
-#include "skein/world/world_builder.hpp"
-#include "testing/mapping_vehicle.hpp"
+#include "testing/shared_field.hpp"
 
 namespace skein::decision_node {
 namespace {
 
 using interaction::Row;
 using interaction::Rows;
+using testing::agreed;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using testing::kEast;
+using testing::kWest;
+using testing::setting_at;
 using ::testing::SizeIs;
 using world::Polygon;
 using world::Vector2;
-
-const Polygon kWest = {{0, 0}, {200, 0}, {200, 200}, {0, 200}};
-const Polygon kEast = {{200, 0}, {400, 0}, {400, 200}, {200, 200}};
 
 double area_of(const Rows& left) {
   double sum = 0;
@@ -31,123 +30,11 @@ double area_of(const Rows& left) {
   return sum;
 }
 
-Rows agreed(const Polygon& heron, const Polygon& wren) {
-  return {interaction::row_of("heron", heron), interaction::row_of("wren", wren)};
-}
-
-/// Heron over level ground, with a camera that looks 30 m to each side from 60 m up.
-SweepSetting setting_at(const world::Vector3& position, double energy = 1) {
-  world::WorldFile file;
-  file.origin = world::GeodeticOrigin{};
-  world::TerrainSpec ground;
-  ground.west = ground.south = -1000;
-  ground.east = ground.north = 1000;
-  file.terrain = ground;
-  file.airspace.ceiling = 150;
-  file.radio.range = 1000;
-  supervisor::Knowledge knowledge;
-  knowledge.uav = "heron";
-  knowledge.altitude = 60;
-  knowledge.vehicle.cruise_speed = 8;
-  testing::make_map(knowledge.vehicle);
-  SweepSetting setting{
-      std::make_shared<const supervisor::Knowledge>(knowledge),
-      std::make_shared<const world::World>(world::build_world(std::move(file)).value()),
-      MissionTime(),
-      {},
-      "mapping"};
-  setting.state.position = position;
-  setting.state.energy = energy;
-  setting.state.airborne = true;
-  return setting;
-}
-
-/// The same, where the air over the west is closed from then on, for ten minutes.
-SweepSetting setting_until_closed(double seconds) {
-  SweepSetting setting = setting_at({-50, -20, 60});
-  auto world = std::make_shared<world::World>(*setting.world);
-  world->volumes.push_back(
-      {"V", kWest, 0, 200, {MissionTime::seconds(seconds), MissionTime::seconds(seconds + 600)}});
-  setting.world = world;
-  return setting;
-}
-
 TEST(AreaShare, TellsNothingBeforeItIsAgreed) {
   const AreaShare share("heron");
 
   EXPECT_FALSE(share.agreed());
   EXPECT_THAT(share.left(), IsEmpty());
-}
-
-// Found by random missions (--sharing 338): its part of two minutes was refused for air that closes
-// ten minutes later.
-TEST(AreaShare, AirThatClosesAfterItsPartIsFlownDoesNotCount) {
-  AreaShare share("heron");
-  share.agree(agreed(kWest, kEast));
-
-  EXPECT_TRUE(share.set_out(setting_until_closed(600)));
-}
-
-// Found by random missions (--sharing 67): half a minute of closed air over a corner was the end of
-// a mapping of six minutes.
-TEST(AreaShare, AirThatClosesLaterThanItSetsOutIsWatchedInFlight) {
-  AreaShare share("heron");
-  share.agree(agreed(kWest, kEast));
-
-  EXPECT_TRUE(share.set_out(setting_until_closed(90)));
-}
-
-TEST(AreaShare, WhereAirIsClosedForATimeItIsSaidWhenItOpens) {
-  AreaShare share("heron");
-  share.agree(agreed(kWest, kEast));
-
-  const auto way = share.set_out(setting_until_closed(0));
-
-  ASSERT_FALSE(way);
-  EXPECT_THAT(way.error().why, ::testing::HasSubstr("V"));
-  EXPECT_EQ(way.error().opens, MissionTime::seconds(600));
-  EXPECT_NEAR(share.area_left(), 40000, 1e-6);
-}
-
-// Found by hand (area-sharing/air-closes): smoke over a part of a field was the end of the mapping.
-TEST(AreaShare, WhatLiesBesideClosedAirIsFlownAndTheRestIsLeft) {
-  AreaShare share("heron");
-  share.agree(agreed(kWest, kEast));
-  SweepSetting setting = setting_until_closed(0), open = setting_at({-50, -20, 60});
-  auto world = std::make_shared<world::World>(*setting.world);
-  world->volumes.back().polygon = {{50, 50}, {150, 50}, {150, 150}, {50, 150}};
-  setting.world = world;
-
-  const auto way = share.set_out(setting);
-  ASSERT_TRUE(way) << way.error().why;
-  for (const world::Vector3& at : *way)
-    EXPECT_GT(world::to_polygon(at.head<2>(), world->volumes.back().polygon), 0);
-  share.flown();
-
-  EXPECT_GT(share.area_left(), 100 * 100);
-  EXPECT_LT(share.area_left(), 170 * 170);
-  const auto rest = share.set_out(setting);
-  ASSERT_FALSE(rest) << rest->size() << " " << share.area_left();
-  EXPECT_EQ(rest.error().opens, MissionTime::seconds(600));
-  EXPECT_TRUE(share.set_out(open));
-  share.flown();
-  EXPECT_EQ(share.area_left(), 0);
-}
-
-TEST(AreaShare, WhereAirStaysClosedOrThereIsNoDeviceNothingIsWaitedFor) {
-  AreaShare share("heron");
-  share.agree(agreed(kWest, kEast));
-  SweepSetting for_ever = setting_until_closed(0), blind = for_ever;
-  auto world = std::make_shared<world::World>(*for_ever.world);
-  world->volumes.back().when.until = MissionTime::max();
-  for_ever.world = world;
-  blind.device = "none";
-
-  for (const SweepSetting& setting : {for_ever, blind}) {
-    const auto way = share.set_out(setting);
-    ASSERT_FALSE(way);
-    EXPECT_EQ(way.error().opens, std::nullopt);
-  }
 }
 
 TEST(AreaShare, AllOfItsPartIsLeftUntilSomeIsFlown) {

@@ -19,6 +19,7 @@ class HostRelations {
   HostValue not_reached(htn::TermStore& store, HostArguments arguments);
   HostValue with_me(htn::TermStore& store, HostArguments arguments);
   HostValue in_time(htn::TermStore& store, HostArguments arguments);
+  HostValue next_opening(htn::TermStore& store, HostArguments arguments);
 
   /// The UAVs named in `lists`, and this UAV, in the order of the team.
   std::vector<std::string> who_meet(const htn::TermStore& store, HostArguments lists) const;

@@ -78,7 +78,7 @@ std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
        {"compute-wait-for-patrol", 6, ask<&Services::wait_for_patrol>, false},
        {"compute-wait-for-sweep", 4, ask<&Services::wait_for_sweep>, false},
        {"compute-wait-for-rest", 6, ask<&Services::wait_for_rest>, false},
-       {"compute-next-opening", 1, ask<&Services::next_opening>, false},
+       {"compute-next-opening", 1, ask<&HostRelations::next_opening>, false},
        {"compute-patrol", 5, ask<&Services::patrol>, true, 4},
        {"compute-sweep", 4, ask<&Services::sweep>, true, 3},
        {"compute-sweep-entry", 4, ask<&Services::sweep_entry>, false},

@@ -68,7 +68,6 @@ class PlannerHost::Services {
   Value wait_for_patrol(htn::TermStore& store, Arguments arguments);
   Value wait_for_sweep(htn::TermStore& store, Arguments arguments);
   Value wait_for_rest(htn::TermStore& store, Arguments arguments);
-  Value next_opening(htn::TermStore& store, Arguments arguments);
   Value is_open(htn::TermStore& store, Arguments arguments);
   Value stays_open(htn::TermStore& store, Arguments arguments);
   Value patrol(htn::TermStore& store, Arguments arguments);

@@ -120,12 +120,12 @@ Value PlannerHost::Services::wait_for_rest(TermStore& store, Arguments arguments
 
 /// (compute-next-opening WHEN): seconds until some volume that is closed for a time opens again;
 /// nil: none does.
-Value PlannerHost::Services::next_opening(TermStore& store, Arguments arguments) {
+HostValue HostRelations::next_opening(TermStore& store, HostArguments arguments) {
   const double now = departure(store, arguments[0]).least;
   std::optional<double> next;
-  for (const world::Volume& volume : refinery_.air.world().volumes) {
+  for (const world::Volume& volume : gazetteer().world().volumes) {
     if (volume.when.until == MissionTime::max()) continue;
-    const double opens = (volume.when.until - refinery_.air.origin()).to_seconds() - now;
+    const double opens = (volume.when.until - origin_).to_seconds() - now;
     if (opens > kAtOnce && (!next || opens < *next)) next = opens;
   }
   return next ? number_term(store, std::ceil(*next * 10 - kRounding) / 10) : kNil;
