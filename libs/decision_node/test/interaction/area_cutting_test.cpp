@@ -16,18 +16,18 @@ namespace {
 using world::Polygon;
 using world::Vector2;
 
-const Polygon kWest = {{0, 0}, {200, 0}, {200, 200}, {0, 200}};
+const Polygon kSquare = {{0, 0}, {200, 0}, {200, 200}, {0, 200}};
 
 TEST(Between, KeepsWhatLiesBetweenTwoLines) {
-  const Polygon strip = between(kWest, Vector2::UnitX(), 50, 80);
+  const Polygon strip = between(kSquare, Vector2::UnitX(), 50, 80);
 
   EXPECT_NEAR(world::area(strip), 30 * 200, 1e-9);
   for (const Vector2& corner : strip) {
     EXPECT_GE(corner.x(), 50 - 1e-9);
     EXPECT_LE(corner.x(), 80 + 1e-9);
   }
-  EXPECT_NEAR(world::area(between(kWest, Vector2::UnitX(), -10, 500)), 40000, 1e-9);
-  EXPECT_LT(world::area(between(kWest, Vector2::UnitX(), 300, 400)), 1e-9);
+  EXPECT_NEAR(world::area(between(kSquare, Vector2::UnitX(), -10, 500)), 40000, 1e-9);
+  EXPECT_LT(world::area(between(kSquare, Vector2::UnitX(), 300, 400)), 1e-9);
 }
 
 double sum_of(const std::vector<Polygon>& areas) {
@@ -37,7 +37,7 @@ double sum_of(const std::vector<Polygon>& areas) {
 }
 
 TEST(CutOut, OfACornerLeavesWhatLiesBesideIt) {
-  std::vector<Polygon> areas{kWest}, within;
+  std::vector<Polygon> areas{kSquare}, within;
   cut_out({{150, 150}, {300, 150}, {300, 300}, {150, 300}}, 10, areas, within);
 
   EXPECT_NEAR(sum_of(within), 60 * 60, 1e-6);
@@ -45,7 +45,7 @@ TEST(CutOut, OfACornerLeavesWhatLiesBesideIt) {
 }
 
 TEST(CutOut, WhatLiesElsewhereCutsNothing) {
-  std::vector<Polygon> areas{kWest}, within;
+  std::vector<Polygon> areas{kSquare}, within;
   cut_out({{350, 150}, {400, 150}, {400, 300}, {350, 300}}, 10, areas, within);
 
   EXPECT_TRUE(within.empty());
@@ -53,7 +53,7 @@ TEST(CutOut, WhatLiesElsewhereCutsNothing) {
 }
 
 TEST(CutOut, OneThatIsNotConvexCountsAsItsBox) {
-  std::vector<Polygon> areas{kWest}, within;
+  std::vector<Polygon> areas{kSquare}, within;
   cut_out({{50, 50}, {150, 50}, {150, 150}, {140, 60}}, 0, areas, within);
 
   EXPECT_NEAR(sum_of(within), 100 * 100, 1e-6);

@@ -18,10 +18,9 @@ using world::Vector3;
 using world::VehicleModel;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kArrivalSpeed = 1;  // [m/s] at the last way-point, of one that hovers
-constexpr double kOrbitGain = 1.5;   // how sharply a circle is joined
-constexpr double kNear = 0.05;       // [m]
-constexpr int kHeadings = 4;
+constexpr double kArrivalSpeed = 1;              // [m/s] at the last way-point, of one that hovers
+constexpr double kOrbitGain = 1.5;               // how sharply a circle is joined
+constexpr double kNear = 0.05;                   // [m]
 constexpr double kPatience = 7200;               // [s]
 constexpr double kCorrection = 5;                // [s] between two of an autopilot
 constexpr double kVerticalShare = 0.5;           // heights are held better than places
@@ -258,11 +257,11 @@ std::vector<Vector3> circle_over(const Pose& from, const Vector3& at, const Vehi
   return track;
 }
 
-std::vector<Pose> poses_at(const Vector3& at, const VehicleModel& vehicle) {
+std::vector<Pose> poses_at(const Vector3& at, const VehicleModel& vehicle, int headings) {
   if (vehicle.hovers) return {{at, 0, 0}};
   std::vector<Pose> poses;
-  for (int i = 0; i < kHeadings; ++i) {
-    const double angle = 2 * kPi * i / kHeadings;
+  for (int i = 0; i < headings; ++i) {
+    const double angle = 2 * kPi * i / headings;
     const Vector3 out(std::cos(angle), std::sin(angle), 0);
     poses.push_back({at, angle, vehicle.cruise_speed});
     poses.push_back({at + vehicle.orbit_radius * out, angle + kPi / 2, vehicle.cruise_speed});

@@ -49,7 +49,9 @@ std::vector<world::Vector3> circle_over(const Pose& from, const world::Vector3& 
                                         double seconds);
 
 /// Poses that a vehicle may have when it counts as being at a place: at rest there if it hovers;
-/// else passing the place with any heading, or anywhere on its waiting circle.
-std::vector<Pose> poses_at(const world::Vector3& at, const world::VehicleModel& vehicle);
+/// else passing the place with any heading, or anywhere on its waiting circle: in so many
+/// directions.
+std::vector<Pose> poses_at(const world::Vector3& at, const world::VehicleModel& vehicle,
+                           int headings = 4);
 
 }  // namespace skein::supervisor

@@ -26,7 +26,9 @@ constexpr double kLeastClearance = 5;  // [m]
 constexpr double kClimbShare = 0.8;    // of its rates, in ways of a vehicle that cannot hover
 constexpr std::array<double, 3> kRaised = {10, 20, 40};  // [m] more over ground that turns meet
 constexpr int kAround = 8;
-constexpr double kSamePlace = 0.5;  // [m]
+constexpr double kSamePlace = 0.5;      // [m]
+constexpr int kCoarse = 4, kFine = 16;  // directions from which a flight begins
+constexpr double kTurnInWind = 3;       // radii across a turn
 constexpr std::uint64_t kShaken =
     4;  // flights in thought with errors and gusts, beside the calm one
 
@@ -179,8 +181,12 @@ bool TimedAir::met(const Way& way, const Volumes& volumes, std::optional<double>
   const bool hovers = vehicle().hovers;
   if (hovers && !comes_near(way, volumes)) return false;
   const double least = margin.value_or(stray());
+  // Where its first turn may come to one it does so from few places of its circle.
+  const double turn = vehicle().orbit_radius + kTurnInWind * vehicle().min_turn_radius + least;
+  const bool is_beside = std::ranges::any_of(
+      volumes, [&](const world::Volume& one) { return is_near(one, way.front(), turn); });
   return flights_meet(way, volumes, vehicle(), world().wind, {hovers ? least / 2 : least, kShaken},
-                      start_.poses(way.front(), in_flight_now_));
+                      start_.poses(way.front(), in_flight_now_, is_beside ? kFine : kCoarse));
 }
 
 bool TimedAir::meets_ground(const Way& way) const {

@@ -33,10 +33,10 @@ bool VehicleStart::in_flight(const Departure& when) const {
   return !passing_.empty() && when.least <= kUntilBegun.back();
 }
 
-std::vector<Pose> VehicleStart::poses(const Vector3& from, bool in_flight) const {
+std::vector<Pose> VehicleStart::poses(const Vector3& from, bool in_flight, int headings) const {
   const bool flies =
       in_flight && !passing_.empty() && (from - passing_.front().at).norm() < kSamePlace;
-  return flies ? passing_ : poses_at(from, vehicle_);
+  return flies ? passing_ : poses_at(from, vehicle_, headings);
 }
 
 }  // namespace skein::supervisor

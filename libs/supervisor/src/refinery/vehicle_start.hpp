@@ -25,8 +25,8 @@ class VehicleStart {
   /// The vehicle stands on the ground at `at`.
   void stands_at(const world::Vector3& at) { stand_ = at; }
   const std::optional<world::Vector3>& stand() const { return stand_; }
-  /// How a motion from there may begin, if it may begin `in_flight`.
-  std::vector<Pose> poses(const world::Vector3& from, bool in_flight) const;
+  /// How a motion from there may begin, if it may begin `in_flight`; as poses_at().
+  std::vector<Pose> poses(const world::Vector3& from, bool in_flight, int headings = 4) const;
 
  private:
   world::VehicleModel vehicle_;

@@ -80,6 +80,28 @@ TEST(InFlight, AWayThatIsFlownAfterAWaitIsJudgedFromTheCircle) {
                             poses_at(way.front(), karma)));
 }
 
+// Found by random missions (--anything 1015002): from one of 36 places of its circle the first turn
+// led 15 m into closed air, from none of four.
+TEST(InFlight, TheFirstTurnAfterATakeoffIsJudgedFromAllAroundTheCircle) {
+  PlanningLab lab;
+  lab.vehicle(testing::vehicle_of("tests/random_missions/models/plane.yaml")).first_id(1);
+  lab.knowledge.altitude = 76;
+  lab.world.wind.speed = 3.1;
+  lab.world.wind.toward = 4.1;
+  lab.situation.position = {-18, 106, 0};
+  lab.situation.stands = true;
+  lab.world.places["there"] = {180, -120, 90};
+  lab.world.volumes.push_back({"V1", {{70, 149}, {210, 149}, {210, 247}, {70, 247}}, 35, 500, {}});
+  lab.task(1, "general-gotoxyz", {"there"});
+
+  const auto plan = planned(lab);
+
+  ASSERT_EQ(plan.tasks.front().type, "takeoff");
+  const Way& way = plan.tasks.back().way;
+  EXPECT_FALSE(flights_meet(way, lab.world.volumes, lab.knowledge.vehicle, lab.world.wind, {0, 0},
+                            poses_at(way.front(), lab.knowledge.vehicle, 36)));
+}
+
 TEST(InFlight, WhoeverHasTurningRoomComesHomeBesideSmoke) {
   Random random(1, "in flight");
   for (int left = 20; left > 0;) {
