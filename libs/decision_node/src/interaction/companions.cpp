@@ -53,6 +53,11 @@ bool Companions::all_have_begun() const {
                              [this](const auto& uav) { return begun_.contains(uav); });
 }
 
+bool Companions::some_have_begun() const {
+  return std::ranges::any_of(counted_on(),
+                             [this](const auto& uav) { return begun_.contains(uav); });
+}
+
 interaction::Rows Companions::silent(MissionTime now) const {
   interaction::Rows rows;
   for (const std::string& uav : counted_on())

@@ -36,6 +36,8 @@ class Companions {
   bool counts_on(const std::string& uav) const;
   /// Whether every holder of a role that is counted on has said that its role runs, or ran.
   bool all_have_begun() const;
+  /// Whether one has, and goes on.
+  bool some_have_begun() const;
   /// Those who are out of reach: a row `silent` for each, with its name.
   interaction::Rows silent(MissionTime now) const;
   /// Whether every other holder of a role has.

@@ -293,6 +293,9 @@ void JointTask::time_passes() {
   const auto at = tries_at(my_, retries_, roles_known_ && time_.engaged());
   if (at && *at <= now()) {
     retries_.tried();
+    // Those who are at it do without who is lost to them, and wait for this UAV.
+    if (roles_known_ && companions_.some_have_begun())
+      for (const auto& [uav, why] : companions_.lost(now())) load_again(why);
     if (!roles_known_) do_without_the_absent();
     const Joint& joint = my_.joint;
     if (my_.phase == JointPhase::kLoading)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// "heliv", who answers in sessions that others open.
+// "heliv", or another partner, who answers in sessions that others open.
 #pragma once
 
 #include <functional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -18,9 +19,11 @@ class NegotiatingPartner {
 
   /// With the same offer in each.
   explicit NegotiatingPartner(Offer offer)
-      : offer_([offer = std::move(offer)](const interaction::Terms&) { return offer; }) {}
-  explicit NegotiatingPartner(std::function<Offer(const interaction::Terms&)> offer)
-      : offer_(std::move(offer)) {}
+      : NegotiatingPartner(
+            [offer = std::move(offer)](const interaction::Terms&) { return offer; }) {}
+  explicit NegotiatingPartner(std::function<Offer(const interaction::Terms&)> offer,
+                              const std::string& name = "heliv")
+      : offer_(std::move(offer)), manager_(name, 1, interaction::standard_modalities(), {}, {}) {}
 
   std::vector<interaction::SessionMessage> answers(const interaction::NegotiationInput& input,
                                                    MissionTime now) {
@@ -45,8 +48,7 @@ class NegotiatingPartner {
 
  private:
   std::function<Offer(const interaction::Terms&)> offer_;
-  interaction::NegotiationManager manager_{
-      "heliv", 1, interaction::standard_modalities(), {}, MissionTime()};
+  interaction::NegotiationManager manager_;
 };
 
 }  // namespace skein::decision_node::testing
