@@ -54,19 +54,21 @@ Answer<AreaSweep> sweep_in(Refinery& refinery, const Vector3& from, const world:
 
 namespace {
 
-using Sweep = std::function<Answer<AreaSweep>(const world::World&, const Departure&)>;
+using Air = std::shared_ptr<const world::World>;
+using Sweep = std::function<Answer<AreaSweep>(const Air&, const Departure&)>;
 
-world::World only(const world::World& world, const auto& counts) {
-  world::World some = world;
-  std::erase_if(some.volumes, [&](const world::Volume& volume) { return !counts(volume); });
+/// The world with those of its volumes.
+Air only(const world::World& world, const auto& counts) {
+  auto some = std::make_shared<world::World>(world);
+  std::erase_if(some->volumes, [&](const world::Volume& volume) { return !counts(volume); });
   return some;
 }
 
 bool is_for_a_time(const world::Volume& volume) { return volume.when.until != MissionTime::max(); }
 
 /// Some volumes are closed for a time.
-Result<AreaSweep, NoSweep> sweep_in_time(const world::World& world, MissionTime now,
-                                         const SweepStart& start, const Sweep& sweep) {
+Result<AreaSweep, NoSweep> sweep_in_time(const Air& world, MissionTime now, const SweepStart& start,
+                                         const Sweep& sweep) {
   const auto any_time = sweep(world, {});
   if (any_time) return *any_time;
   const Departure in_time{start.earliest, start.latest + kLate};
@@ -74,10 +76,10 @@ Result<AreaSweep, NoSweep> sweep_in_time(const world::World& world, MissionTime 
   const world::TimeWindow beginning{now + Duration::seconds(in_time.least),
                                     now + Duration::seconds(in_time.most)};
   const auto is_in_its_way = [&](const auto& volume) { return volume.when.overlaps(beginning); };
-  if (auto at_first = sweep(only(world, is_in_its_way), {})) return std::move(*at_first);
+  if (auto at_first = sweep(only(*world, is_in_its_way), {})) return std::move(*at_first);
   NoSweep refused{any_time.error()};
-  if (!sweep(only(world, std::not_fn(is_for_a_time)), {})) return tl::unexpected(refused);
-  for (const world::Volume& volume : world.volumes)
+  if (!sweep(only(*world, std::not_fn(is_for_a_time)), {})) return tl::unexpected(refused);
+  for (const world::Volume& volume : world->volumes)
     if (is_in_its_way(volume) && is_for_a_time(volume))
       refused.opens = earliest(refused.opens, volume.when.until);
   return tl::unexpected(refused);
@@ -93,8 +95,8 @@ Result<AreaSweep, NoSweep> sweep_of(const std::shared_ptr<const Knowledge>& know
   if (!sensor) return tl::unexpected(NoSweep{sensor.error()});
   const auto reach = footprint(**sensor, height_of(*knowledge));
   if (!reach) return tl::unexpected(NoSweep{reach.error()});
-  const Sweep sweep = [&](const world::World& air, const Departure& when) {
-    Refinery refinery(Gazetteer(knowledge, std::make_shared<const world::World>(air)), now, kSeed);
+  const Sweep sweep = [&](const Air& air, const Departure& when) {
+    Refinery refinery(Gazetteer(knowledge, air), now, kSeed);
     refinery.sweeps.let_swing();
     auto found = sweep_in(refinery, start.from, {"", area}, **sensor, when);
     if (found) found->reach = *reach;
@@ -103,8 +105,8 @@ Result<AreaSweep, NoSweep> sweep_of(const std::shared_ptr<const Knowledge>& know
   if (std::ranges::any_of(world->volumes, [&](const world::Volume& volume) {
         return is_for_a_time(volume) || volume.when.from > now;
       }))
-    return sweep_in_time(*world, now, start, sweep);
-  return sweep(*world, {}).map_error([](const std::string& why) { return NoSweep{why}; });
+    return sweep_in_time(world, now, start, sweep);
+  return sweep(world, {}).map_error([](const std::string& why) { return NoSweep{why}; });
 }
 
 namespace {

@@ -2,9 +2,7 @@
 // The programs that take part in a domain, as they describe themselves.
 #pragma once
 
-#include <cstdint>
-#include <map>
-#include <mutex>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -15,6 +13,9 @@ namespace skein::blackboard {
 /// Thread rule: any thread.
 class Programs {
  public:
+  Programs();
+  ~Programs();
+
   /// The participant was discovered. `proved`: with keys, false until it is authenticated, and not
   /// counted so long.
   void found(const std::string& guid, std::string name, std::string description,
@@ -28,15 +29,8 @@ class Programs {
   std::optional<std::string> description_of(const std::string& name) const;
 
  private:
-  struct Program {
-    std::string name;
-    std::string description;
-    bool proved = true;
-    std::uint64_t number = 0;  ///< of its discovery
-  };
-  mutable std::mutex mutex_;
-  std::map<std::string, Program> programs_;  ///< by GUID
-  std::uint64_t discovered_ = 0;
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace skein::blackboard
