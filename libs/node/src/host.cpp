@@ -2,6 +2,7 @@
 #include "skein/node/host.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -457,12 +458,19 @@ void Host::apply_to_others(const wire::LinkState& link, Now now) {
   }
 }
 
+// Whoever says what nobody's radio is, be it in the name of the simulator, is taken at the nearest
+// that one may be: what follows from it is reckoned with.
 blackboard::ChannelCondition Host::condition_of(const wire::LinkState& link) const {
+  constexpr std::int64_t kLongest = 3'600'000'000'000;  // [ns]
+  constexpr double kNarrowest = 1;                      // [bit/s]
+  const auto latency = std::clamp<std::int64_t>(link.latency, 0, kLongest);
   blackboard::ChannelCondition condition;
   condition.up = link.up;
-  condition.latency = Duration::seconds(static_cast<double>(link.latency) * 1e-9 / config_.rate);
-  condition.loss = link.loss;
-  condition.capacity = link.capacity * config_.rate * config_.share_of_samples;
+  condition.latency = Duration::seconds(static_cast<double>(latency) * 1e-9 / config_.rate);
+  condition.loss = link.loss > 0 ? std::min(link.loss, 1.0) : 0;
+  const bool is_limited = link.capacity > 0 && std::isfinite(link.capacity);
+  const double capacity = is_limited ? std::max(link.capacity, kNarrowest) : 0;
+  condition.capacity = capacity * config_.rate * config_.share_of_samples;
   return condition;
 }
 

@@ -2,6 +2,8 @@
 // What a host makes of what it is told of links.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "skein/node/host.hpp"
 #include "testing/hosts.hpp"
 
@@ -185,6 +187,28 @@ TEST_F(Hosts, AllStreamsAreLostOnALinkThatLosesAll) {
 
   EXPECT_TRUE((*this)["ground"].diary.samples<wire::Telemetry>().empty());
   EXPECT_EQ((*this)["ground"].diary.samples<wire::PlanBoard>().size(), 1U);
+}
+
+// Found by skein_dds_foul_words_test: time-outs were reckoned with it, and the daemon ended.
+TEST_F(Hosts, AnImpossibleRadioEndsNobodyWhoHasSomethingToSay) {
+  for (const char* name : {"marvin", "heliv"}) start(name, 2, 10);
+  meet();
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr std::int64_t kLongest = std::numeric_limits<std::int64_t>::max();
+  for (const std::int64_t latency : {kLongest, kLongest / 10, -kLongest, std::int64_t{0}}) {
+    for (const double figure : {1e-300, 1e300, -1e300, kNaN}) {
+      for (const auto& [from, to] : {std::pair("marvin", "heliv"), std::pair("heliv", "marvin")}) {
+        wire::LinkState bad = link(number(from), number(to), true);
+        bad.latency = latency;
+        bad.capacity = bad.loss = figure;
+        (*this)["sim"].host->publish(bad, now());
+      }
+      settle();
+      act("marvin", {Send{number("heliv"), wire::FunctionalRequest{}}});
+      advance(1);
+    }
+  }
+  EXPECT_TRUE((*this)["marvin"].host->started());
 }
 
 }  // namespace
