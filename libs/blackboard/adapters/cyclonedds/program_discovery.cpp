@@ -2,8 +2,9 @@
 // The programs that take part, as Cyclone DDS finds them.
 #include "program_discovery.hpp"
 
-#include <array>
 #include <string>
+
+#include "builtin_topics.hpp"
 
 namespace skein::blackboard::cyclonedds {
 namespace {
@@ -34,31 +35,17 @@ std::string description_of(const dds_builtintopic_participant_t& participant) {
 
 dds_return_t ProgramDiscovery::begin(dds_entity_t participant) {
   if (programs_ == nullptr) return DDS_RETCODE_OK;
-  const std::unique_ptr<dds_listener_t, decltype(&dds_delete_listener)> listener(
-      dds_create_listener(this), &dds_delete_listener);
-  dds_lset_data_available(listener.get(), [](dds_entity_t reader, void* self) {
-    static_cast<ProgramDiscovery*>(self)->take_all(reader);
-  });
-  return dds_create_reader(participant, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, nullptr, listener.get());
+  return follow_builtin_topic(participant, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, *this);
 }
 
 void ProgramDiscovery::take_all(dds_entity_t reader) {
-  constexpr std::size_t kAtOnce = 16;
-  std::array<void*, kAtOnce> samples{};
-  std::array<dds_sample_info_t, kAtOnce> infos;
-  while (true) {
-    const dds_return_t count = dds_take(reader, samples.data(), infos.data(), kAtOnce, kAtOnce);
-    if (count <= 0) return;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-      const auto& one = *static_cast<const dds_builtintopic_participant_t*>(samples[i]);
-      if (infos[i].valid_data && infos[i].instance_state == DDS_IST_ALIVE) {
-        programs_->found(text_of(one.key), name_of(one), description_of(one));
-      } else {
-        programs_->gone(text_of(one.key));
-      }
+  take_builtin_samples<dds_builtintopic_participant_t>(reader, [this](const auto& one, bool there) {
+    if (there) {
+      programs_->found(text_of(one.key), name_of(one), description_of(one));
+    } else {
+      programs_->gone(text_of(one.key));
     }
-    dds_return_loan(reader, samples.data(), count);
-  }
+  });
 }
 
 }  // namespace skein::blackboard::cyclonedds

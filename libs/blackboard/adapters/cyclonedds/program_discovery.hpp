@@ -23,9 +23,10 @@ class ProgramDiscovery {
   /// reason why not.
   dds_return_t begin(dds_entity_t participant);
 
- private:
+  /// What the built-in topic has told since; for its listener.
   void take_all(dds_entity_t reader);
 
+ private:
   std::shared_ptr<Programs> programs_;
 };
 

@@ -20,9 +20,10 @@ class WriterDiscovery {
   /// reason why not.
   dds_return_t begin(dds_entity_t participant);
 
- private:
+  /// What the built-in topic has told since; for its listener.
   void take_all(dds_entity_t reader);
 
+ private:
   rtps::AwaitedWriters& awaited_;
   dds_guid_t own_{};  ///< of the participant
 };

@@ -89,7 +89,7 @@ struct Outing {
                                       setting.device);
     if (!sweep) {
       if (!why) why = sweep.error();
-      if (why && sweep.error().opens) why->opens = earliest(why->opens, *sweep.error().opens);
+      why->opens = earliest(why->opens, sweep.error().opens);
       return false;
     }
     seconds += sweep->seconds;

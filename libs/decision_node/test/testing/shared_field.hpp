@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "interaction/area_share.hpp"
-#include "skein/world/world_builder.hpp"
+#include "testing/level_ground.hpp"
 #include "testing/mapping_vehicle.hpp"
 
 namespace skein::decision_node::testing {
@@ -20,14 +20,8 @@ inline interaction::Rows agreed(const world::Polygon& heron, const world::Polygo
 
 /// Heron over level ground, with a camera that looks 30 m to each side from 60 m up.
 inline SweepSetting setting_at(const world::Vector3& position, double energy = 1) {
-  world::WorldFile file;
-  file.origin = world::GeodeticOrigin{};
-  world::TerrainSpec ground;
-  ground.west = ground.south = -1000;
-  ground.east = ground.north = 1000;
-  file.terrain = ground;
+  world::WorldFile file = level_ground(1000);
   file.airspace.ceiling = 150;
-  file.radio.range = 1000;
   supervisor::Knowledge knowledge;
   knowledge.uav = "heron";
   knowledge.altitude = 60;
