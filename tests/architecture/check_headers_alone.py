@@ -57,12 +57,12 @@ PROVIDERS = {
     "string_view": "string_view",
     "thread": "thread",
     "tuple": "apply tie tuple",
-    "type_traits": "decay_t enable_if_t is_arithmetic_v is_base_of_v is_convertible_v is_enum_v is_integral_v is_same_v remove_const_t "
+    "type_traits": "decay_t enable_if_t integral_constant is_aggregate_v is_arithmetic_v is_base_of_v is_convertible_v is_enum_v is_integral_v is_same_v remove_const_t "
                    "remove_cvref_t type_identity underlying_type_t",
     "concepts": "convertible_to same_as",
     "unordered_map": "unordered_map",
     "unordered_set": "unordered_set",
-    "utility": "as_const exchange forward index_sequence index_sequence_for move pair swap",
+    "utility": "as_const exchange forward index_sequence index_sequence_for make_index_sequence move pair swap",
     "variant": "get get_if holds_alternative monostate variant variant_size_v visit",
     "vector": "erase erase_if vector",
     "tl/expected.hpp": "tl",
