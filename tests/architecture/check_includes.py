@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Includes follow the declared dependencies, these follow the layers, and pure code is pure."""
+import functools
 import pathlib
 import re
 import sys
@@ -136,11 +137,18 @@ def include_problems(relative, text, library, architecture):
 def private_owner(relative, header, library, architecture):
     """Another library in whose directory alone a header without skein/ is found; else None."""
     def holds(one):
-        return any(path.is_file() for path in (architecture.source / one.directory).rglob(header))
+        return header in endings_of_headers(architecture.source / one.directory)
 
     if (architecture.source / relative).parent.joinpath(header).is_file() or holds(library):
         return None
     return next((other for other in architecture.libraries.values() if holds(other)), None)
+
+
+@functools.lru_cache(maxsize=None)
+def endings_of_headers(directory):
+    """Every way to name a header somewhere below a directory: its name, with one folder before it, with two, …"""
+    return {"/".join(path.parts[-n:]) for path in directory.rglob("*.*") if path.is_file()
+            for n in range(1, len(path.parts) - len(directory.parts) + 1)}
 
 
 def purity_problems(relative, text, kind):

@@ -117,6 +117,21 @@ class Includes(unittest.TestCase):
         self.assertIn("adapters", self.problems("libs/world/src/a.cpp", dds)[0])
         self.assertEqual([], self.problems("libs/blackboard/adapters/fastdds/a.cpp", dds))
 
+    def test_a_private_header_stays_in_its_library(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source = pathlib.Path(folder)
+            for header in ("libs/one/src/room/mine.hpp", "libs/two/src/room/theirs.hpp"):
+                (source / header).parent.mkdir(parents=True)
+                (source / header).touch()
+            two = architecture(one=["two"], two=[])
+            two.source = source
+            owner = lambda header: check_includes.private_owner("libs/one/src/a.cpp", header, two.libraries["one"], two)
+            self.assertIsNone(owner("room/mine.hpp"))
+            self.assertIsNone(owner("gtest/gtest.h"))
+            self.assertIsNone(owner("heirs.hpp"))
+            self.assertEqual("two", owner("room/theirs.hpp").name)
+            self.assertEqual("two", owner("theirs.hpp").name)
+
     def test_layers_hold_against_declarations(self):
         layers = check_includes.read_layers("foundation pure\nworld pure foundation\nexecutive pure\n")
         problems = list(check_includes.layer_problems(self.architecture, layers))
