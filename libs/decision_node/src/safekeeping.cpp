@@ -250,9 +250,11 @@ void Safekeeping::warn_of_idling() {
   if (!says_it_idles_) says_it_idles_ = now + kIdles;
   if (now < *says_it_idles_) return;
   says_it_idles_ = MissionTime::max();  // once
+  const std::string whose = core_.voice().plays()
+                                ? ": the ground station plays a role of it, which waits"
+                                : ": who has it in hand decides";
   core_.bus().emit(Notice{"in the air with nothing under way for " + to_text(kIdles) +
-                          " s, at degree " + std::to_string(core_.degree()) +
-                          ": who has it in hand decides"});
+                          " s, at degree " + std::to_string(core_.degree()) + whose});
 }
 
 // Whoever has it in hand decides where it goes. One that wavers on the border says so once.

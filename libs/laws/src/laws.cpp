@@ -78,7 +78,7 @@ std::vector<Law> task_laws() {
       {"joint-done", "a joint task achieved was truly done by its members", joint_tasks_not_done},
       {"twice-mapped", "an area is shared with who came back, not mapped twice",
        areas_mapped_twice},
-      {"taken-in", "who asks for an area to map that others are at takes part", newcomers_left_out},
+      {"taken-in", "who asks for a joint task that others are at takes part", newcomers_left_out},
       {"places", "where a role sends a UAV its constraints hold, by truth",
        places_against_constraints},
       {"one-motion", "one motion at a time, one use of a device", motions_at_once},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who asks for a joint task that others map an area in takes part in it.
+// Who asks for a joint task that others are at, mapping an area or watching from agreed places,
+// takes part in it.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -32,7 +33,26 @@ std::optional<Wait> wait_for(const History& history, const JointTold& told) {
   return wait;
 }
 
-/// Until when a UAV looks at the area of a joint task.
+bool is_call(const interaction::Literal& literal) {
+  const auto* message = std::get_if<interaction::MessagePending>(&literal.condition);
+  return message != nullptr && message->message.ends_with(" invitation");
+}
+
+/// Whether some role of it is called to agree anew with who comes.
+bool takes_in(const interaction::Library& library, const interaction::Variant& variant) {
+  const auto calls = [](const interaction::Componel& one) {
+    const interaction::Block* block = one.block();
+    if (block == nullptr) return false;
+    return std::ranges::any_of(block->precondition, [](const interaction::Clause& clause) {
+      return std::ranges::any_of(clause, is_call);
+    });
+  };
+  return std::ranges::any_of(variant.roles, [&](const std::string& role) {
+    return std::ranges::any_of(library.roles.at(role).automaton.componels(), calls);
+  });
+}
+
+/// Until when a UAV looks for a joint task at what it is about.
 double looks_until(const History& history, const Held& held) {
   double until = 0;
   for (const Look& one : looks_for(history, held.joint))
@@ -44,7 +64,7 @@ struct Span {
   double from = 0, until = 0;
 };
 
-/// In which another one looks at the area while it waits.
+/// In which another one looks there while it waits.
 Span longest_beside(const History& history, const std::vector<Held>& all, const Wait& wait) {
   Span longest;
   for (const Held& held : all) {
@@ -76,7 +96,10 @@ std::vector<Violation> newcomers_left_out(const History& history) {
   for (const JointTold& told : history.joint.joints) {
     const auto wait = wait_for(history, told);
     const interaction::Variant* variant = variant_of(history, told);
-    if (!wait || variant == nullptr || shared_areas(history, *variant).empty()) continue;
+    if (!wait || variant == nullptr) continue;
+    const bool are_taken_in = !shared_areas(history, *variant).empty() ||
+                              takes_in(*history.scenario->interaction, *variant);
+    if (!are_taken_in) continue;
     const Span span = longest_beside(history, all, *wait);
     if (span.until - span.from <= kAgreed) continue;
     const bool hears_all = std::ranges::all_of(all, [&](const Held& held) {

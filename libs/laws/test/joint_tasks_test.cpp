@@ -449,6 +449,18 @@ TEST(JointLaws, WhoAsksForAnAreaThatOthersMapTakesPart) {
               IsEmpty());
 }
 
+TEST(JointLaws, WhoAsksForPlacesThatOthersHaveAgreedOnTakesPart) {
+  const auto judged = [](bool spread) {
+    Told told;
+    told.phase(10, "marvin", "running", "watch").perceives("marvin", 9, 20, 320);
+    told.phase(30, "heliv", "loading", "").due(40, "heliv");
+    if (spread) told.spreads();
+    return told.broken(newcomers_left_out);
+  };
+  EXPECT_THAT(judged(true), ElementsAre(HasSubstr("goes on without it for 280.0 s")));
+  EXPECT_THAT(judged(false), IsEmpty()) << "they are called to nothing";
+}
+
 TEST(JointLaws, WhoCannotTalkToThoseWhoMapIsNotTakenIn) {
   EXPECT_THAT(asked_for_while_it_runs(300).link(50, false).broken(newcomers_left_out), IsEmpty());
   EXPECT_THAT(asked_for_while_it_runs(300).dies("marvin", 60, 90).broken(newcomers_left_out),

@@ -253,4 +253,43 @@ std::vector<std::string> draw_cuts(Random& random, const std::vector<Member>& te
   return cuts;
 }
 
+const Member& any_of(Random& random, const Mission& mission) {
+  return mission.team[random.below(mission.team.size())];
+}
+
+void add_radio_troubles(Random& random, Mission& mission, double latest) {
+  if (random.chance(0.2))
+    mission.radio.push_back("capacity: " + std::string(random.chance(0.5) ? "9600" : "19200"));
+  if (random.chance(0.2)) mission.loss = random.uniform(0.01, 0.15);
+  if (random.chance(0.6)) mission.cuts = draw_cuts(random, mission.team, 4, latest);
+  if (!random.chance(0.25)) return;
+  const std::string who = any_of(random, mission).name;
+  const double from = random.uniform(20, latest), until = from + random.uniform(20, 400);
+  add_cut_off(mission, who, from, until, random.chance(0.5));
+}
+
+// For a moment, or for minutes.
+void add_hands(Random& random, Mission& mission, const std::string& who, double latest) {
+  const std::string interrupt = random.chance(0.5) ? ", interrupt: true" : "";
+  add_action(mission, "mine", "{time: " + whole(random.uniform(20, latest)) + "}", 0,
+             "take_in_hand: {uav: " + who + interrupt + "}");
+  add_action(mission, "yours", "{step: mine}",
+             random.chance(0.5) ? random.uniform(1, 5) : random.uniform(5, 200),
+             "give_back: {uav: " + who + "}");
+}
+
+void add_closing_air(Random& random, Mission& mission, double east, double north, double latest) {
+  const double from = random.uniform(60, latest);
+  const double y = north + random.uniform(-150, 150), x = east + random.uniform(-200, 200);
+  mission.volumes.push_back("V1: {" + draw_box(random, x, y) + ", from: " + whole(from) +
+                            ", until: " + whole(from + random.uniform(30, 300)) + "}");
+}
+
+void add_death_of_one(Random& random, Mission& mission, double latest) {
+  std::string dies =
+      "{at: " + tenths(random.uniform(5, latest)) + ", kill: " + any_of(random, mission).name;
+  if (random.chance(0.6)) dies += ", restart_after: " + tenths(random.uniform(2, 300));
+  mission.faults.push_back(dies + "}");
+}
+
 }  // namespace skein::mission_lab

@@ -73,6 +73,19 @@ std::string forgetting(std::string death);
 /// its stored state; its vehicles stay where they are.
 void add_deaths(Mission& mission, double latest);
 
+/// A member of the team.
+const Member& any_of(Random& random, const Mission& mission);
+/// Sometimes a narrow radio, losses, fewer than four cuts, and a member cut off from the others for
+/// minutes, each from before `latest` s on.
+void add_radio_troubles(Random& random, Mission& mission, double latest);
+/// An operator takes the UAV in hand before `latest` s, for a moment or for minutes.
+void add_hands(Random& random, Mission& mission, const std::string& who, double latest);
+/// A volume V1 of air near a point [m] that is closed for up to five minutes from before `latest`
+/// s.
+void add_closing_air(Random& random, Mission& mission, double east, double north, double latest);
+/// A member dies before `latest` s, for good or for minutes.
+void add_death_of_one(Random& random, Mission& mission, double latest);
+
 /// People change their minds: they cancel missions and give them again, take UAVs in hand and give
 /// them back in every order, and tell UAVs that places lie elsewhere. Drawn from the mission's seed
 /// by a separate sequence, so that the rest of the mission is unchanged.

@@ -42,18 +42,19 @@ class SharingDrawing {
     const bool stays_away = kinds_.changes && random_.chance(0.15);
     for (std::size_t who = 0; who < mission_.team.size(); ++who)
       draw_work(who, contrary && who == 0, stays_away && who + 1 == mission_.team.size());
-    if (kinds_.radio) draw_radio();
-    if (kinds_.degrees && random_.chance(0.4)) take_in_hand();
-    if (kinds_.air && random_.chance(0.2)) close_air();
+    if (kinds_.radio) add_radio_troubles(random_, mission_, kLatest);
+    if (kinds_.degrees && random_.chance(0.4)) add_hands(random_, mission_, any().name, kLatest);
+    if (kinds_.air && random_.chance(0.2))
+      add_closing_air(random_, mission_, kEast, kNorth, kLatest);
     if (kinds_.faults && random_.chance(0.2))
       mission_.faults.push_back(draw_fault(
           random_, any().name, [](Random&) { return std::string("mapping"); }, kLatest));
-    if (kinds_.deaths) draw_death();
+    if (kinds_.deaths) add_death_of_one(random_, mission_, kLatest);
     return std::move(mission_);
   }
 
  private:
-  const Member& any() { return mission_.team[random_.below(mission_.team.size())]; }
+  const Member& any() { return any_of(random_, mission_); }
 
   void draw_team() {
     static constexpr std::array kModels{"heron", "wren", "swift"};
@@ -129,44 +130,6 @@ class SharingDrawing {
     }
     add("[general-land]");
     mission_.steps.push_back(std::move(step));
-  }
-
-  void draw_radio() {
-    if (random_.chance(0.2))
-      mission_.radio.push_back("capacity: " + std::string(random_.chance(0.5) ? "9600" : "19200"));
-    if (random_.chance(0.2)) mission_.loss = random_.uniform(0.01, 0.15);
-    if (random_.chance(0.6)) mission_.cuts = draw_cuts(random_, mission_.team, 4, kLatest);
-    if (random_.chance(0.25)) cut_off(any().name);
-  }
-
-  void cut_off(const std::string& who) {
-    const double from = random_.uniform(20, kLatest), until = from + random_.uniform(20, 400);
-    add_cut_off(mission_, who, from, until, random_.chance(0.5));
-  }
-
-  // For a moment, or for minutes.
-  void take_in_hand() {
-    const std::string uav = "uav: " + any().name;
-    const std::string interrupt = random_.chance(0.5) ? ", interrupt: true" : "";
-    add_action(mission_, "mine", "{time: " + whole(random_.uniform(20, kLatest)) + "}", 0,
-               "take_in_hand: {" + uav + interrupt + "}");
-    add_action(mission_, "yours", "{step: mine}",
-               random_.chance(0.5) ? random_.uniform(1, 5) : random_.uniform(5, 200),
-               "give_back: {" + uav + "}");
-  }
-
-  void close_air() {
-    const double from = random_.uniform(60, kLatest);
-    mission_.volumes.push_back(
-        "V1: {" +
-        draw_box(random_, kEast + random_.uniform(-200, 200), kNorth + random_.uniform(-150, 150)) +
-        ", from: " + whole(from) + ", until: " + whole(from + random_.uniform(30, 300)) + "}");
-  }
-
-  void draw_death() {
-    std::string dies = "{at: " + tenths(random_.uniform(5, kLatest)) + ", kill: " + any().name;
-    if (random_.chance(0.6)) dies += ", restart_after: " + tenths(random_.uniform(2, 300));
-    mission_.faults.push_back(dies + "}");
   }
 
   Random random_;

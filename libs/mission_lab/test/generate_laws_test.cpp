@@ -207,7 +207,7 @@ TEST_P(Generators, PutEverythingOnTheTerrain) {
 TEST_P(Generators, LeaveOutWhatIsNotAskedFor) {
   Kinds nothing = kClean;
   nothing.merged = nothing.questions = nothing.joint = false;
-  const bool is_about_joint_tasks = std::string(GetParam().name) == "Sharing";
+  const bool is_about_joint_tasks = GetParam().name == "Sharing" || GetParam().name == "Escorts";
   const bool is_about_closed_air = std::string(GetParam().name) == "Closures";
   for_all(
       [&](const DrawnMission& drawn) {
@@ -240,7 +240,7 @@ TEST_P(Generators, DrawDeathsOfTheirOwnDaemonsOnly) {
           EXPECT_GE(fault["at"].as<double>(), 3.0);
           // Partners may stay away for longer than anybody waits, or for good.
           const bool partners =
-              std::set<std::string>{"Partners", "Sharing"}.contains(GetParam().name);
+              std::set<std::string>{"Partners", "Sharing", "Escorts"}.contains(GetParam().name);
           const auto away = fault["restart_after"];
           EXPECT_TRUE(away || partners);
           if (away) {

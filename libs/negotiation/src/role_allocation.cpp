@@ -18,6 +18,25 @@ Arity arity_of(const Row& role) {
   return arity;
 }
 
+/// Instead of a cost, why the member does not offer to play the role.
+bool is_refusal(const Row& offered) { return offered.numbers.empty() && !offered.text.empty(); }
+
+/// "heliv and marvin", or "nobody (marvin: no camera)".
+std::string players_of(const std::string& role, const Offers& offers) {
+  std::vector<std::string> players, refusals;
+  for (const auto& [uav, offer] : offers) {
+    for (const Row& row : offer) {
+      if (row.name != role) continue;
+      if (is_refusal(row))
+        refusals.push_back(uav + ": " + row.text);
+      else
+        players.push_back(uav);
+    }
+  }
+  const std::string names = players.empty() ? "nobody" : joined(players, " and ");
+  return refusals.empty() ? names : names + " (" + joined(refusals, "; ") + ")";
+}
+
 class RoleAllocation : public NegotiationModality {
  public:
   std::string_view name() const override { return "role-allocation"; }
@@ -45,6 +64,7 @@ class RoleAllocation : public NegotiationModality {
     for (const Row& row : offer) {
       if (roles.count(row.name) == 0) return "unknown role '" + row.name + "'";
       if (!offered.insert(row.name).second) return "two costs of role '" + row.name + "'";
+      if (is_refusal(row)) continue;
       if (row.numbers.size() != 1 || !(row.numbers[0] >= 0)) {
         return "role '" + row.name + "' has no cost";
       }
@@ -69,18 +89,13 @@ class RoleAllocation : public NegotiationModality {
     return result;
   }
 
-  /// What each role asks for, and who offers to play it.
+  /// What each role asks for, who offers to play it, and why the others do not.
   static std::string why_none(const Terms& terms, const Offers& offers) {
     std::string text = "no assignment of roles to the " + std::to_string(terms.members.size()) +
                        " members satisfies the arities:";
     for (const Row& row : terms.parameters) {
-      std::vector<std::string> players;
-      for (const auto& [uav, offer] : offers) {
-        const auto plays = [&](const Row& one) { return one.name == row.name; };
-        if (std::any_of(offer.begin(), offer.end(), plays)) players.push_back(uav);
-      }
       text += " '" + row.name + "' is for " + to_text(arity_of(row)) + ", offered by " +
-              (players.empty() ? "nobody" : joined(players, " and ")) + ";";
+              players_of(row.name, offers) + ";";
     }
     text.pop_back();
     return text;
@@ -90,7 +105,7 @@ class RoleAllocation : public NegotiationModality {
     std::vector<std::optional<double>> costs(terms.parameters.size());
     for (std::size_t i = 0; i < costs.size(); ++i) {
       for (const Row& row : offer) {
-        if (row.name == terms.parameters[i].name) costs[i] = row.numbers[0];
+        if (row.name == terms.parameters[i].name && !is_refusal(row)) costs[i] = row.numbers[0];
       }
     }
     return costs;

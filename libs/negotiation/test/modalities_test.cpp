@@ -2,6 +2,7 @@
 // Each modality against trying everything.
 #include "skein/negotiation/modality.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -130,6 +131,25 @@ TEST(RoleAllocation, WhereNoneIsPossibleItSaysWhatEachRoleAsksForAndWhoOffersIt)
       "no assignment of roles to the 2 members satisfies the arities: 'watch' is for at "
       "least 2, offered by a and b; 'relay' is for 1, offered by nobody; 'map' is for at most "
       "2, offered by b");
+}
+
+TEST(RoleAllocation, WhoDoesNotOfferARoleMaySayWhy) {
+  const Terms terms = terms_of(2, {row("watch", {1, 1}), row("relay", {1, 1})});
+  const Row blind{"watch", "it has no camera", {}}, lame{"watch", "its camera has failed", {}};
+  EXPECT_FALSE(modality("role-allocation").problem_of(terms, {row("relay", {4}), blind}));
+
+  const auto result =
+      modality("role-allocation")
+          .settle(terms, {{"a", {row("relay", {4}), blind}}, {"b", {lame, row("relay", {3})}}});
+
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error().why,
+              ::testing::HasSubstr("'watch' is for 1, offered by nobody (a: it has no camera; b: "
+                                   "its camera has failed); 'relay' is for 1, offered by a and b"));
+  const auto with_one = modality("role-allocation")
+                            .settle(terms, {{"a", {row("relay", {4}), blind}},
+                                            {"b", {row("watch", {9}), row("relay", {3})}}});
+  EXPECT_EQ(with_one.value(), (Rows{{"a", "relay", {4}}, {"b", "watch", {9}}}));
 }
 
 TEST(RoleAllocation, SixteenUavsAreNoMatter) {

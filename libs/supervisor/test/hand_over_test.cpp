@@ -220,6 +220,20 @@ TEST(SupervisorHandOver, WhatTheVehicleCarriesOutForAnotherIsAwaitedToItsEnd) {
   EXPECT_EQ(desk.repair().remaining.size(), 2U);
 }
 
+// Found by random missions (--sharing 88): a joint task that the ground station's executive had was
+// dropped meanwhile; that was told to nobody, and it began once it was back.
+TEST(SupervisorHandOver, WhatIsStoppedWhileAnotherExecutiveHasItIsStoppedOnceItIsBack) {
+  Desk desk = given_back_before_a_look({});
+  desk.give(CancelMission{{{GoalId{701}}, {}, true}, "operator"});
+  EXPECT_THAT(desk.requests(), ::testing::Not(Contains("ABORT 101")));
+
+  desk.at(99).seen(101, TaskState::kScheduled, {}, "perceive");
+
+  EXPECT_THAT(desk.requests(), Contains("ABORT 101"));
+  desk.at(100).give(Tick{});
+  EXPECT_THAT(desk.requests(), ::testing::Not(Contains("ABORT 101"))) << "once";
+}
+
 TEST(SupervisorHandOver, WithoutResumeWhatDoesNotComeBackIsHandedOver) {
   Desk desk = under_way();
   desk.at(10).give(Disengage{"degree 1"});

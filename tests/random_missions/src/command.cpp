@@ -13,6 +13,7 @@
 #include "skein/laws/laws.hpp"
 #include "skein/mission_lab/generate.hpp"
 #include "skein/mission_lab/rough_ground.hpp"
+#include "skein/mission_lab/troubles.hpp"
 #include "skein/storm_tool/series.hpp"
 #include "skein/storm_tool/shrink.hpp"
 #include "skein/storm_tool/storm.hpp"
@@ -38,8 +39,8 @@ struct Options {
        unmerged = false, sweeps = false, meetings = false, orders = false, gatherings = false,
        robots = false, relays = false, partners = false, sharing = false, fires = false,
        hands = false, mixed = false, anything = false, minds = false, busy = false,
-       sweepers = false, closures = false, json = false, minimise = false, rough = false,
-       verbose = false;
+       sweepers = false, closures = false, escorts = false, long_deaths = false, json = false,
+       minimise = false, rough = false, verbose = false;
   std::size_t examples = 3;
   std::int64_t capacity = 0;
   double planning_takes = 0;
@@ -75,6 +76,7 @@ Mission drawn_as_kind(std::uint64_t seed, const Options& options) {
   if (options.partners) return generate_partners(seed, kinds_of(options));
   if (options.closures) return generate_closures(seed, kinds_of(options));
   if (options.sharing) return generate_sharing(seed, kinds_of(options));
+  if (options.escorts) return generate_escorts(seed, kinds_of(options));
   if (options.relays) return generate_relays(seed, kinds_of(options));
   if (options.fires) return generate_fires(seed, kinds_of(options));
   if (options.hands) return generate_orders(seed, kinds_of(options));
@@ -91,6 +93,7 @@ Mission drawn(std::uint64_t seed, const Options& options) {
   if (options.merged) mission.separation = "{merge: true}";
   if (options.unmerged) mission.separation = "{merge: false}";
   if (options.rough) roughen(mission);
+  if (options.long_deaths) let_die_for_long(mission);
   mission.planning_takes = options.planning_takes;
   if (options.capacity > 0) {
     std::erase_if(mission.radio, [](const auto& one) { return one.starts_with("capacity:"); });
@@ -225,6 +228,9 @@ void declare_kinds(CLI::App& app, Options& options) {
                              "partners of joint tasks and synchronisations die or are cut off");
   auto* sharing = app.add_flag("--sharing", options.sharing,
                                "UAVs map areas together, of which somebody leaves or comes late");
+  auto* escorts = app.add_flag("--escorts", options.escorts,
+                               "UAVs watch, escort or pursue together what moves; for some the "
+                               "ground station plays");
   auto* closures = app.add_flag("--closures", options.closures,
                                 "air closes over places, pads and areas, and opens again");
   auto* fires =
@@ -247,8 +253,9 @@ void declare_kinds(CLI::App& app, Options& options) {
                "with --anything: an operator flies UAVs by hand in the middle of their tasks, "
                "stops them to think, aborts all, closes and opens air")
       ->needs(anything);
-  const std::vector<CLI::Option*> all{team,    crossing, sweepers, meetings, robots, relays,  apart,
-                                      sharing, closures, fires,    hands,    mixed,  anything};
+  const std::vector<CLI::Option*> all{team,   crossing, sweepers, meetings, robots,
+                                      relays, apart,    sharing,  closures, fires,
+                                      hands,  mixed,    anything, escorts};
   for (auto* one : all)
     for (auto* other : all)
       if (one != other) one->excludes(other);
@@ -268,6 +275,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--clean", options.clean, "missions in which nothing goes wrong");
   app.add_flag("--deaths", options.deaths,
                "daemons die in them, up to three times, and come back with what they knew");
+  app.add_flag("--long-deaths", options.long_deaths,
+               "one or two decision nodes die for minutes, and come back with what they knew")
+      ->excludes("--deaths");
   declare_kinds(app, options);
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")

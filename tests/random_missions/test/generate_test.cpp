@@ -25,6 +25,18 @@ std::string problems_of(const std::string& yaml) {
   return scenario ? to_text(assembly::check_assembly(*scenario)) : to_text(scenario.error());
 }
 
+/// Of the missions with seeds 1 to 60: each is a scenario, and one seed gives one text.
+std::string texts_of(Mission (*draw)(std::uint64_t, const Kinds&), const Kinds& kinds) {
+  std::string all;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const std::string text = to_yaml(draw(seed, kinds), "..");
+    EXPECT_EQ(to_yaml(draw(seed, kinds), ".."), text);
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    all += text;
+  }
+  return all;
+}
+
 TEST(Generate, OneSeedGivesOneMissionAndAnotherAnother) {
   EXPECT_EQ(text_of(5), text_of(5));
   EXPECT_NE(text_of(5), text_of(6));
@@ -74,13 +86,7 @@ TEST(Generate, CrossingMissionsAreScenariosInWhichSomeUavsShareAPad) {
 TEST(Generate, PartnersThatStayAwayAreScenariosInWhichOneDiesIsCutOffOrIsDeclaredLost) {
   Kinds kinds;
   kinds.deaths = true;
-  std::string all;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const std::string text = to_yaml(generate_partners(seed, kinds), "..");
-    EXPECT_EQ(to_yaml(generate_partners(seed, kinds), ".."), text);
-    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
-    all += text;
-  }
+  const std::string all = texts_of(generate_partners, kinds);
   for (const char* part :
        {"monitoring-with-relay, J1", "synchro, 500", "restart_after", "kill: uav",
         "declare_lost: {uav: uav", "between: [uav", "partner_lease: 600"})
@@ -90,27 +96,27 @@ TEST(Generate, PartnersThatStayAwayAreScenariosInWhichOneDiesIsCutOffOrIsDeclare
 TEST(Generate, SharedMappingsAreScenariosInWhichWhoTakesPartIsCutOffDiesOrIsTakenInHand) {
   Kinds kinds;
   kinds.deaths = true;
-  std::string all;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const std::string text = to_yaml(generate_sharing(seed, kinds), "..");
-    EXPECT_EQ(to_yaml(generate_sharing(seed, kinds), ".."), text);
-    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
-    all += text;
-  }
+  const std::string all = texts_of(generate_sharing, kinds);
   for (const char* part : {"cooperative-mapping, OstWiese, C1", "cooperative-mapping, Z1b, C2",
                            "restart_after", "kill: uav", "take_in_hand: {uav: uav", "between: [uav",
                            "capacity: 9600", "separation: {merge: true}"})
     EXPECT_THAT(all, HasSubstr(part));
 }
 
+TEST(Generate, EscortsAreScenariosOfEachModelInWhichTheGroundMayPlayForOne) {
+  Kinds kinds;
+  kinds.deaths = true;
+  const std::string all = texts_of(generate_escorts, kinds);
+  for (const char* part :
+       {"monitoring-around.yaml", "monitoring-by-chain.yaml", "monitoring-with-ground.yaml",
+        "monitoring-with-relay.yaml", "escorting.yaml", "vehicle-pursuit.yaml", "degree: 2",
+        "play: {uav: uav2", "know_place: {name: T", "take_in_hand: {uav: uav", "kill: uav",
+        "separation: {merge: true}", "hills: "})
+    EXPECT_THAT(all, HasSubstr(part));
+}
+
 TEST(Generate, ClosuresAreScenariosInWhichAirClosesAndOpensOverWhatIsAskedFor) {
-  std::string all;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const std::string text = to_yaml(generate_closures(seed, {}), "..");
-    EXPECT_EQ(to_yaml(generate_closures(seed, {}), ".."), text);
-    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
-    all += text;
-  }
+  const std::string all = texts_of(generate_closures, {});
   for (const char* part : {"perform-tour, [P1, P2, P3", "perform-mapping, Z1", "from: 0, until: ",
                            "close_air: {name: smoke-1", "open_air: {name: smoke-1"})
     EXPECT_THAT(all, HasSubstr(part));
@@ -148,13 +154,7 @@ TEST(Generate, SweepingMissionsAreScenariosWithSeveralSweepsAtATime) {
 }
 
 TEST(Generate, MixedMissionsAreScenariosThatHaveAllOfIt) {
-  std::string all;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const std::string text = to_yaml(generate_mixed(seed, {}), "..");
-    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
-    EXPECT_EQ(to_yaml(generate_mixed(seed, {}), ".."), text);
-    all += text;
-  }
+  const std::string all = texts_of(generate_mixed, {});
   for (const char* part :
        {"degree: 5", "degree: 4", "global_mission: {id: 1, state: done}", "[synchro, ",
         "[monitoring-with-relay, ", "action/models/mana", "comets/models/karma", "kind: fire",

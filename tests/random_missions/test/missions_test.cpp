@@ -112,6 +112,16 @@ TEST(RandomMissions, UavsThatMapTogetherWithoutOneForAWhileKeepTheLaws) {
   EXPECT_EQ(breaches(deaths, missions() / 10, generate_sharing), "");
 }
 
+// They watch, escort or pursue what moves, from places that they agree on.
+TEST(RandomMissions, UavsThatEscortTogetherKeepTheLawsAndAchieveAll) {
+  EXPECT_EQ(breaches(kClean, missions() / 5, generate_escorts), "");
+}
+
+// One of them leaves, is cut off or is taken in hand; the ground station plays for another.
+TEST(RandomMissions, UavsThatEscortWithoutOneForAWhileKeepTheLaws) {
+  EXPECT_EQ(breaches({}, missions() / 5, generate_escorts), "");
+}
+
 // Over what they are to do, their pads and their ways, from the start or as they fly.
 TEST(RandomMissions, UavsOverWhichAirClosesForATimeKeepTheLaws) {
   EXPECT_EQ(breaches(kClean, missions() / 5, generate_closures), "");

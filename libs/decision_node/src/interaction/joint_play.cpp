@@ -128,7 +128,7 @@ void JointPlay::carry_out(const interaction::Compute& effect) {
   if (place) {
     play_->know(effect.parameter, *place);
   } else {
-    play_->forget(effect.parameter);
+    play_->forget(effect.parameter, place.error().why);
   }
   PlaceComputed note{
       my_.joint.subject, play_->role(), effect.parameter, local.initialiser, {}, "", {}};
@@ -392,11 +392,10 @@ bool JointPlay::watch() {
 
 // ---- its negotiations ----
 
-// What is undecided is kept until it is known. Roles that are others now are begun anew.
+// Roles that are others now are begun anew.
 void JointPlay::decided(const interaction::Terms& terms,
                         const interaction::NegotiationOutcome& outcome) {
-  using Kind = interaction::NegotiationOutcome::Kind;
-  if (my_.phase != JointPhase::kRunning || outcome.kind == Kind::kUndecided) return;
+  if (my_.phase != JointPhase::kRunning) return;
   if (!talks_.decided(terms, outcome)) return;
   next_role_ = my_.holders.at(self_);
   tell(interaction::Abort{});

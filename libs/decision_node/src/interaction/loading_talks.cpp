@@ -30,6 +30,17 @@ double cost_of_change(const Membership& my, const std::string& self, const std::
   return runs && held->second != role ? kChange : 0;
 }
 
+/// What it takes to play a role, and to change to it [s]. Refused: it cannot.
+Result<double, Failure> cost_of_role(const std::string& role, const RolePlayer& player) {
+  const Joint& joint = player.my.joint;
+  std::string why = player.host.why_not(joint, role);
+  if (why.empty()) why = lacking(joint.library->roles.at(role), player.sightings.own()->failed);
+  if (!why.empty()) return failure(std::move(why));
+  const auto cost = cost_of(joint, role, player.from, player.outlook);
+  if (!cost) return tl::unexpected(cost.error());
+  return cost->seconds + cost_of_change(player.my, player.host.config().uav, role);
+}
+
 }  // namespace
 
 interaction::BeginNegotiation roles_session(const Joint& joint) {
@@ -72,22 +83,16 @@ Result<interaction::Rows, Failure> offer_of_roles(const interaction::Terms& term
   std::vector<std::string> reasons;
   for (const interaction::Row& role : terms.parameters) {
     if (!joint.library->roles.contains(role.name)) return failure("no role '" + role.name + "'");
-    std::string why = player.host.why_not(joint, role.name);
-    if (why.empty())
-      why = lacking(joint.library->roles.at(role.name), player.sightings.own()->failed);
-    if (!why.empty()) {
-      reasons.push_back(role.name + ": " + why);
-      continue;
-    }
-    const auto cost = cost_of(joint, role.name, player.from, player.outlook);
+    const auto cost = cost_of_role(role.name, player);
     if (cost) {
-      const double change = cost_of_change(player.my, player.host.config().uav, role.name);
-      rows.push_back({role.name, "", {cost->seconds + change}});
+      rows.push_back({role.name, "", {*cost}});
     } else {
+      rows.push_back({role.name, cost.error().why, {}});
       reasons.push_back(role.name + ": " + cost.error().why);
     }
   }
-  if (rows.empty()) return failure("it can play no role: " + joined(reasons, "; "));
+  if (reasons.size() == rows.size())
+    return failure("it can play no role: " + joined(reasons, "; "));
   return rows;
 }
 

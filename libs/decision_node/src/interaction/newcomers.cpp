@@ -2,6 +2,7 @@
 #include "interaction/newcomers.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "interaction/interaction.hpp"
 #include "interaction/loading_talks.hpp"
@@ -14,7 +15,14 @@ using Kind = interaction::NegotiationOutcome::Kind;
 
 /// Who cannot begin within that asks again when it can.
 constexpr Duration kBeginsWithin = Duration::milliseconds(60'000);
-constexpr const char* kInvitation = "area-sharing invitation";
+/// By these a role is called to begin anew, with all who hold one, what they agreed on without the
+/// newcomer.
+constexpr std::array kCalls{"area-sharing invitation", "perception-positions invitation",
+                            "relay-chain invitation"};
+
+bool hears_calls(const interaction::Automaton& role) {
+  return std::ranges::any_of(kCalls, [&](const char* call) { return listens_to(role, call); });
+}
 
 bool is_about_roles(const interaction::Terms& terms) { return terms.subject.ends_with(kRoles); }
 
@@ -53,6 +61,19 @@ std::optional<Joint> Newcomers::with(const std::vector<std::string>& newcomers) 
   return joint;
 }
 
+// A role that hears no such call does all the same whoever comes, while those answer who hear it.
+bool Newcomers::are_taken_in() const {
+  const RolePlay* role = play_.role();
+  if (role == nullptr) return false;
+  const auto may_hear = [&](const char* call) { return role->may_hear(call); };
+  if (hears_calls(role->automaton())) return std::ranges::any_of(kCalls, may_hear);
+  if (role->has_only_flights_left()) return false;
+  return std::ranges::any_of(my_.holders, [&](const auto& one) {
+    const auto& [uav, held] = one;
+    return uav != self_ && hears_calls(automaton_in(*my_.joint.library, *my_.joint.variant, held));
+  });
+}
+
 // Who calls others than those who are at it knows less than these do.
 void Newcomers::invited(const interaction::Terms& terms) {
   const bool calls_all = std::ranges::all_of(my_.holders, [&](const auto& one) {
@@ -74,8 +95,7 @@ bool Newcomers::called(const interaction::Terms& terms) {
 }
 
 Result<interaction::Rows, Failure> Newcomers::offer_for(const interaction::Terms& terms) const {
-  if (play_.role() == nullptr || !play_.role()->may_hear(kInvitation))
-    return failure("it is at it, and takes nobody in any more");
+  if (!are_taken_in()) return failure("it is at it, and takes nobody in any more");
   if (!with(in(terms))) return failure("it is at it, in a variant for as many as there are");
   if (is_about_roles(terms)) return interaction::Rows{{my_.holders.at(self_), "", {0}}};
   for (const std::string& uav : in(terms))

@@ -16,8 +16,8 @@ namespace skein::decision_node {
 
 /// On a UAV that plays a role. A member that holds none asks for roles, and then for a start, as
 /// for a joint task that is to begin: those who play keep their roles, and begin with it at once.
-/// It is taken in where the role of everyone shares an area anew when it is called to, and is not
-/// through with that; else it is told why it is not.
+/// It is taken in where roles share an area, or agree on places, anew when they are called to, and
+/// none of these is through with that; else it is told why it is not.
 class Newcomers {
  public:
   /// References that must outlive it.
@@ -48,6 +48,8 @@ class Newcomers {
   };
   /// Members of a session that hold no role.
   std::vector<std::string> in(const interaction::Terms& terms) const;
+  /// Whether the role that is played does not stand against it.
+  bool are_taken_in() const;
   /// The joint task among those who play and these; absent: they would be in another variant.
   std::optional<Joint> with(const std::vector<std::string>& newcomers) const;
   void take_in(const std::string& uav, const Agreed& agreed);

@@ -38,6 +38,11 @@ bool refers_to(const interaction::Componel& one, const std::string& message) {
 
 }  // namespace
 
+bool listens_to(const interaction::Automaton& role, const std::string& message) {
+  return std::ranges::any_of(role.componels(),
+                             [&](const auto& one) { return refers_to(one, message); });
+}
+
 RolePlay::RolePlay(const Joint& joint, std::string role, Holders holders, std::string self)
     : joint_(joint),
       role_(std::move(role)),
@@ -54,9 +59,11 @@ Result<interaction::Effects, Failure> RolePlay::tell(const interaction::Input& i
   return effects;
 }
 
-bool RolePlay::listens_to(const std::string& message) const {
-  const auto& all = automaton().componels();
-  return std::ranges::any_of(all, [&](const auto& one) { return refers_to(one, message); });
+Result<Argument, Failure> RolePlay::value(const config::Value& expression) const {
+  auto value = value_of(expression, scope_);
+  const auto unknown = value ? unknown_.end() : unknown_.find(expression.scalar);
+  if (unknown != unknown_.end()) return failure(value.error().why + ": " + unknown->second);
+  return value;
 }
 
 // A block that is over begins anew with the loop around it.

@@ -13,6 +13,9 @@
 
 namespace skein::decision_node {
 
+/// Whether some condition of a role refers to this message.
+bool listens_to(const interaction::Automaton& role, const std::string& message);
+
 class RolePlay {
  public:
   RolePlay(const Joint& joint, std::string role, Holders holders, std::string self);
@@ -22,14 +25,21 @@ class RolePlay {
   /// The values of names in its expressions: parameters and computed places.
   const Arguments& scope() const { return scope_; }
   void know(const std::string& local, Argument value) { scope_[local] = std::move(value); }
-  void forget(const std::string& local) { scope_.erase(local); }
+  /// It has no value; `why` is part of what a task that needs it fails by.
+  void forget(const std::string& local, std::string why) {
+    scope_.erase(local);
+    unknown_.insert_or_assign(local, std::move(why));
+  }
+  /// The value of an expression in the scope. Refused: unknown name, with why it has no value.
+  Result<Argument, Failure> value(const config::Value& expression) const;
 
   /// Passes an input to the automaton. Refused as by interaction::Engine.
   Result<interaction::Effects, Failure> tell(const interaction::Input& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const { return engine_.next_wakeup(); }
   bool is_over() const { return engine_.is_over(); }
-  /// Whether some condition of the role refers to this message.
-  bool listens_to(const std::string& message) const;
+  bool listens_to(const std::string& message) const {
+    return decision_node::listens_to(automaton(), message);
+  }
   /// The same, and it may still come true: no block around that condition is over. True before the
   /// role comes there.
   bool may_hear(const std::string& message) const;
@@ -79,6 +89,7 @@ class RolePlay {
   Holders holders_;
   std::string self_;
   Arguments scope_;
+  std::map<std::string, std::string> unknown_;  ///< parameters last found without a value, and why
   interaction::Engine engine_;
   std::map<std::string, interaction::ScmMonitor> monitors_;  ///< by SCM
 };

@@ -2,6 +2,7 @@
 #include "interaction/role_talks.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "interaction/agreed_places.hpp"
 #include "interaction/interaction.hpp"
@@ -45,6 +46,7 @@ void RoleTalks::begin_anew() {
   actions_.clear();
   sharing_.stop();
   places_.stop();
+  undecided_.clear();
   roles_stand_until_.reset();
 }
 
@@ -93,6 +95,11 @@ void RoleTalks::withdraw(const std::string& action) {
 
 bool RoleTalks::decided(const interaction::Terms& terms,
                         const interaction::NegotiationOutcome& outcome) {
+  if (outcome.kind == Kind::kUndecided) {
+    undecided_.insert(terms.subject);
+    return false;
+  }
+  undecided_.erase(terms.subject);
   if (terms.modality == kAreaSharing) {
     area_shared(terms, outcome);
     return false;
@@ -104,11 +111,23 @@ bool RoleTalks::decided(const interaction::Terms& terms,
   return roles_agreed(terms, outcome);
 }
 
+// Nobody may be left who knows what became of it.
+void RoleTalks::settle_anew(const std::string& action) {
+  host_.bus().post([this, action] {
+    if (actions_.contains(action) && !task_.over()) negotiate(action);
+  });
+}
+
 // What was promised is settled with whom it was promised to. Who is left alone does not hurry to
 // take all: somebody may be back before the session is over.
 void RoleTalks::lose() {
   roles_stand_until_.reset();
+  const std::set<std::string> undecided = std::exchange(undecided_, {});
   for (const auto& [action, subject] : std::map(actions_)) {
+    if (undecided.contains(subject)) {
+      settle_anew(action);
+      continue;
+    }
     const auto parties = my_.parties_of(course_.play().role(), action, self_);
     if (!sharing_.asks(action) || parties.size() < 2) continue;
     interaction_.withdraw(subject, "somebody is lost");

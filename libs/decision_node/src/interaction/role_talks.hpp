@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "interaction/area_share.hpp"
@@ -54,6 +55,7 @@ class RoleTalks {
   std::optional<std::string> action_about(const std::string& subject) const;
   void note(const std::string& text);
 
+  void settle_anew(const std::string& action);
   void negotiate_roles(const std::string& action, const std::string& modality);
   bool roles_agreed(const interaction::Terms& terms,
                     const interaction::NegotiationOutcome& outcome);
@@ -78,6 +80,7 @@ class RoleTalks {
   RoleRecord& record_;
 
   std::map<std::string, std::string> actions_;  ///< under negotiation, to their subjects
+  std::set<std::string> undecided_;  ///< subjects of which it is not known whether all agreed
   /// After the members agreed that all keep their roles, no new role negotiation before this.
   std::optional<MissionTime> roles_stand_until_;
   AskingAgain sharing_, places_;

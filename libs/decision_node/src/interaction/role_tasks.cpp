@@ -26,7 +26,7 @@ Result<Argument, Failure> argument(const interaction::Task& task, const char* na
                                    const RolePlay& play) {
   const config::Value* given = task.parameters.find(name);
   if (given == nullptr) return failure("it has no '" + std::string(name) + "'");
-  return value_of(*given, play.scope());
+  return play.value(*given);
 }
 
 // ---- goto ----

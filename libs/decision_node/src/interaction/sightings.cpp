@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interaction/sightings.hpp"
 
+#include <algorithm>
+
 namespace skein::decision_node {
 
 interaction::Position position_of(const world::Vector3& v) { return {v.x(), v.y(), v.z()}; }
 world::Vector3 vector_of(const interaction::Position& p) { return {p[0], p[1], p[2]}; }
+
+namespace {
+
+/// A place that was given at or below the height of the ground is on it.
+interaction::Position not_under(const interaction::Position& place, const world::World& world) {
+  return {place[0], place[1], std::max(place[2], world.terrain.elevation(place[0], place[1]))};
+}
+
+}  // namespace
 
 const world::Telemetry* Sightings::own() const {
   const auto found = seen_.find(self_);
@@ -30,12 +41,16 @@ interaction::Observer Sightings::observer(const Arguments& arguments, const worl
     }
     if (const auto point = arguments.find(name); point != arguments.end()) {
       const auto* at = std::get_if<interaction::Position>(&point->second);
-      if (at != nullptr) return interaction::Sighting{*at, now};
+      if (at != nullptr) return interaction::Sighting{not_under(*at, world), now};
     }
-    if (const auto object = objects_.find(name); object != objects_.end()) return object->second;
+    if (const auto object = objects_.find(name); object != objects_.end()) {
+      interaction::Sighting seen = object->second;
+      seen.position = not_under(seen.position, world);
+      return seen;
+    }
     const auto place = world.places.find(name);
     if (place == world.places.end()) return std::nullopt;
-    return interaction::Sighting{position_of(place->second), now};
+    return interaction::Sighting{not_under(position_of(place->second), world), now};
   };
 }
 

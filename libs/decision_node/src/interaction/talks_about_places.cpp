@@ -85,7 +85,7 @@ void RoleTalks::take_place(const std::string& action, const interaction::Terms& 
                          place ? "" : "it is not needed",
                          {}};
   if (out != nullptr && place) play.know(out->scalar, *place);
-  if (out != nullptr && !place) play.forget(out->scalar);
+  if (out != nullptr && !place) play.forget(out->scalar, computed.why);
   host_.bus().emit(std::move(computed));
   if (!place) course_.tell(interaction::Message{terms.modality + ": not needed"});
   course_.tell_status(action, Word::kEnded);

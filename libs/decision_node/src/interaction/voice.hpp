@@ -31,6 +31,8 @@ class Voice final : public Component {
   bool passes_on(const JointTaskTold& told);
   bool passes_on(const PartnerSeen& seen);
   void contact(const Contact& contact);
+  /// Whether the ground plays a role for this UAV.
+  bool plays() const { return !played_.empty(); }
   /// Leaves all joint tasks played by the ground; partners and the ground are told.
   void give_up(const std::string& why);
 

@@ -14,6 +14,7 @@ namespace {
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 /// Of "marvin", who scouts with heliv.
@@ -38,7 +39,7 @@ TEST_F(BeforeItBegins, RolesAreNegotiatedWithTheNumbersOfTheirHolders) {
   const auto session = roles_session(course_.my.joint);
   EXPECT_EQ(session.subject, course_.my.joint.subject + "/roles");
   EXPECT_EQ(session.modality, "role-allocation");
-  ASSERT_THAT(session.parameters, SizeIs(2));
+  ASSERT_THAT(session.parameters, SizeIs(3));
   EXPECT_EQ(session.parameters[0].name, "scout");
   EXPECT_THAT(session.parameters[0].numbers, ElementsAre(1, -1)) << "no limit";
   EXPECT_THAT(session.parameters[1].numbers, ElementsAre(0, -1));
@@ -93,6 +94,16 @@ TEST_F(BeforeItBegins, WhileItRunsAnotherRoleCostsFourSecondsMore) {
   const double own = cost("scout");
   course_.my.phase = interaction::JointPhase::kRunning;
   EXPECT_DOUBLE_EQ(cost("scout"), own) << "it has that role";
+}
+
+TEST_F(BeforeItBegins, WhoCannotPlayOneOfTheRolesSaysWhyBesideItsOffers) {
+  const auto rows = offer({"scout", "post"});
+  ASSERT_TRUE(rows);
+  ASSERT_THAT(*rows, SizeIs(2));
+  EXPECT_THAT(rows->front().numbers, SizeIs(1));
+  EXPECT_EQ(rows->back().name, "post");
+  EXPECT_THAT(rows->back().numbers, IsEmpty());
+  EXPECT_THAT(rows->back().text, HasSubstr("thermal"));
 }
 
 TEST_F(BeforeItBegins, ARoleThatNobodyKnowsIsRefused) {

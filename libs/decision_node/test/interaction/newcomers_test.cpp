@@ -110,6 +110,30 @@ TEST_F(ScoutingAlone, NobodyIsTakenInWhereTheRoleSharesNothingAnyMore) {
   EXPECT_EQ(offer.error().why, "it is at it, and takes nobody in any more");
 }
 
+TEST_F(ScoutingAlone, SomebodyIsTakenInWherePlacesAreAgreedOnAnew) {
+  course_.my.holders = {{"marvin", "post"}};
+  play_.begin("post");
+
+  const auto offer = newcomers_.offer_for(asked_for("roles"));
+
+  ASSERT_TRUE(offer) << offer.error().why;
+  EXPECT_THAT(*offer, ElementsAre(interaction::Row{"post", "", {0}}));
+}
+
+// As who looks, while others form a chain of relays.
+TEST_F(ScoutingAlone, WhoseRoleHearsNoCallLeavesItToThoseWhoHearOne) {
+  course_.my.holders = {{"karma", "post"}, {"marvin", "spare"}};
+  play_.begin("spare");
+  const auto roles = asked_for("roles", {"heliv", "karma", "marvin"});
+
+  const auto offer = newcomers_.offer_for(roles);
+
+  ASSERT_TRUE(offer) << offer.error().why;
+  EXPECT_THAT(*offer, ElementsAre(interaction::Row{"spare", "", {0}}));
+  course_.my.holders = {{"marvin", "spare"}};
+  EXPECT_FALSE(newcomers_.offer_for(roles)) << "nobody hears one";
+}
+
 TEST_F(ScoutingAlone, AStartIsForWhoHasARole) {
   const auto offer = newcomers_.offer_for(asked_for("start"));
 

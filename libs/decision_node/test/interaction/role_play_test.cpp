@@ -129,9 +129,22 @@ TEST_F(Watching, WhatIsKnownOfAPlaceCanBeForgotten) {
   play_.know("place", Position{1, 2, 3});
   EXPECT_TRUE(play_.scope().contains("place"));
 
-  play_.forget("place");
+  play_.forget("place", "no free air");
 
   EXPECT_FALSE(play_.scope().contains("place"));
+}
+
+TEST_F(Watching, WhoAsksForWhatHasNoValueIsToldWhyItHasNone) {
+  config::Value place;
+  place.kind = config::Value::Kind::kScalar;
+  place.scalar = "place";
+  EXPECT_EQ(play_.value(place).error().why, "'place' has no value");
+  play_.forget("place", "no free air");
+  EXPECT_EQ(play_.value(place).error().why, "'place' has no value: no free air");
+
+  play_.know("place", Position{1, 2, 3});
+
+  EXPECT_EQ(play_.value(place).value(), Argument(Position{1, 2, 3}));
 }
 
 // ---- its tasks ----

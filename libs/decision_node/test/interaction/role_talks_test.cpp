@@ -188,6 +188,25 @@ TEST_F(ScoutsTalk, WhatIsBeingSharedIsSharedAmongThoseWhoAreLeftOnceSomebodyIsLo
   EXPECT_THAT(course_.told, IsEmpty()) << "it has all the patience that it had at first";
 }
 
+// Found by random missions (--escorts --deaths): of those who had promised nobody was left who knew
+// whether all had, and the role waited for that to its end.
+TEST_F(ScoutsTalk, WhatIsUndecidedIsBegunAnewOnceSomebodyIsLost) {
+  course_.my.holders["karma"] = "scout";
+  talks_.negotiate("swap");
+  (void)said();
+  course_.at(20);
+  EXPECT_FALSE(decided("role-allocation", Kind::kUndecided));
+  EXPECT_THAT(course_.told, IsEmpty()) << "it may be settled yet";
+  course_.interaction.withdraw(subject("role-allocation"), "test");
+  (void)said();
+  course_.at(30);
+  course_.my.holders.erase("heliv");
+
+  talks_.lose();
+
+  EXPECT_GT(said(), 0U);
+}
+
 // Found by area-sharing/one-back: it took all that two had left, and they were back 20 s later.
 TEST_F(ScoutsTalk, WhoIsLeftAloneWaitsUntilTheSessionIsOver) {
   talks_.negotiate("divide");

@@ -17,6 +17,7 @@ class Known {
   Known() {
     world_ = skein::testing::level_world(100);
     world_->places["fire-front"] = {90, 40, 0};
+    world_->places["cellar"] = {90, 40, -20};
   }
   std::optional<interaction::Sighting> of(const std::string& name) const {
     return sightings.observer(arguments_, *world_, at(100))(name);
@@ -68,6 +69,17 @@ TEST(Sightings, OfWhatDoesNotMoveAnyMoreTheWorldCountsAgain) {
 
   EXPECT_EQ(known.of("fire-front")->position[0], 90);
   EXPECT_EQ(known.of("fire-front")->at, at(100));
+}
+
+// Found by random missions (--escorts): over a hill its height above the sea was given as 0.
+TEST(Sightings, APlaceUnderTheGroundIsOnIt) {
+  Known known;
+  EXPECT_EQ(known.of("cellar")->position[2], 0);
+  mission::KnownPlace told = seen(85, 60);
+  told.at.z() = -20;
+  known.sightings.see(told);
+
+  EXPECT_EQ(known.of("fire-front")->position[2], 0);
 }
 
 TEST(Sightings, OfWhatNobodyToldNothingIsKnown) { EXPECT_FALSE(Known().of("smoke")); }

@@ -47,8 +47,11 @@ TEST_F(StoodIn, ItOffersTheRolesThatTheModelAllows) {
 
   ASSERT_FALSE(offered.empty());
   EXPECT_EQ(offered.back().state, "offered");
-  ASSERT_THAT(offered.back().rows, SizeIs(1));
-  EXPECT_EQ(offered.back().rows[0].name, "relay");
+  ASSERT_THAT(offered.back().rows, SizeIs(2));
+  EXPECT_EQ(offered.back().rows[0].name, "watch");
+  EXPECT_THAT(offered.back().rows[0].numbers, IsEmpty()) << "why it does not";
+  EXPECT_EQ(offered.back().rows[1].name, "relay");
+  EXPECT_THAT(offered.back().rows[1].numbers, SizeIs(1));
 }
 
 TEST_F(StoodIn, WhereTheModelAllowsNoneItSaysSo) {

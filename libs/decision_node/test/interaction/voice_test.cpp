@@ -113,6 +113,19 @@ TEST_F(Voiced, AfterAMinuteWithoutTheGroundItLeavesInTheGroundsPlace) {
   EXPECT_THAT(left[0].status.why, HasSubstr("contact-loss policy"));
 }
 
+// Found by random missions (--escorts): "who has it in hand decides", who had nothing to decide.
+TEST_F(Voiced, WhileItsRoleWaitsItSaysThatItIsNoOperatorsTurn) {
+  FlownNode node(2);
+  node.give(GroundPlays{stands(JointPhase::kRunning)});
+  node.give(testing::flying(true));
+  node.wake_at(62);
+
+  const auto told = all<Notice>(node.give(testing::flying(true)));
+
+  ASSERT_THAT(told, SizeIs(1));
+  EXPECT_THAT(told[0].text, HasSubstr("the ground station plays a role of it, which waits"));
+}
+
 TEST_F(Voiced, WithoutAPolicyItLeavesAfterAMinute) {
   FlownNode node(2);
   node.give(GroundPlays{stands(JointPhase::kRunning)});

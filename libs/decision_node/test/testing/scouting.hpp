@@ -22,6 +22,8 @@ inline constexpr const char* kScouting = R"yaml(
 tasks:
   follow: {target: Obj, "beside?": Point}
   map-area: {area: Text}
+functions:
+  valid-position: {takes: [], gives: Point}
 scms:
   separation:
     parameters: {from: Place, least: Number}
@@ -53,14 +55,25 @@ roles:
         - {action: keep, modality: area-sharing}
         - {action: swap, modality: role-allocation}
         - {action: haggle, modality: task-auction}
+  post:
+    needs: [hovering, {camera: thermal}]
+    parameters: {vehicle: Obj}
+    automaton:
+      block: o10
+      local: {side: valid-position()}
+      content:
+        - {action: spread, modality: perception-positions, in: {around: vehicle, distance: 40, altitude: 40, directions: 4}, out: {place: side}}
+        - block: o11
+          pre: [[{message: perception-positions invitation}]]
+          content: [{action: spread-again, modality: perception-positions, in: {around: vehicle, distance: 40, altitude: 40, directions: 4}, out: {place: side}}]
 models:
   scouting:
     variants:
       pair:
         parameters: {vehicle: Obj, area: Text, uavs: UAVlist}
-        roles: [scout, spare]
+        roles: [scout, spare, post]
         coordination:
-          arity: {scout: {at-least: 1}, spare: {at-least: 0}}
+          arity: {scout: {at-least: 1}, spare: {at-least: 0}, post: {at-least: 0}}
           actions:
             - {role: scout, action: divide, with: scout, target: divide, who: everyone}
             - {role: scout, action: divide-the-whole-field, with: scout, target: divide-the-whole-field, who: everyone}
@@ -72,13 +85,16 @@ models:
             - {role: spare, action: swap, with: scout, target: swap, who: everyone}
             - {role: scout, action: haggle, with: spare, target: haggle, who: everyone}
             - {role: spare, action: haggle, with: scout, target: haggle, who: everyone}
+            - {role: post, action: spread, with: post, target: spread, who: everyone}
+            - {role: post, action: spread-again, with: post, target: spread-again, who: everyone}
           scms:
             apart: {scm: separation, from: R*, least: 20}
           blocks:
-            apart: {scout: [s10], spare: [p10]}
+            apart: {scout: [s10], spare: [p10], post: [o10]}
           parameters:
             scout: {vehicle: vehicle, area: area}
             spare: {vehicle: vehicle}
+            post: {vehicle: vehicle}
 )yaml";
 
 /// The world has an area "field" of 200 m by 200 m; a vehicle with a camera that looks down.

@@ -159,6 +159,15 @@ class Told {
     airborne_ = true;
     return *this;
   }
+  /// Who watches spreads anew when it is called to.
+  Told& spreads() {
+    interaction::Library library = *scenario_.interaction;
+    interaction::Block again;
+    again.precondition = {{{interaction::MessagePending{"perception-positions invitation"}}}};
+    library.roles["watch"].automaton.add({"w2", 0, again, "", 0});
+    scenario_.interaction = std::make_shared<const interaction::Library>(library);
+    return *this;
+  }
   /// From when on it has nothing to do but the joint task.
   Told& due(double at, const std::string& uav) {
     due_[uav] = at;

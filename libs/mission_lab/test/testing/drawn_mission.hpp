@@ -33,6 +33,7 @@ inline std::vector<Generator> generators() {
           {"Relays", generate_relays, 2, 6},
           {"Partners", generate_partners, 2, 3},
           {"Sharing", generate_sharing, 2, 4},
+          {"Escorts", generate_escorts, 2, 4},
           {"Closures", generate_closures, 1, 4},
           {"Fires", generate_fires, 1, 4},
           {"Orders", generate_orders, 1, 4},

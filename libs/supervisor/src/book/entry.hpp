@@ -81,6 +81,7 @@ struct Entry {
   bool was_held = false;        ///< it was given with holds
   bool unseen = false;          ///< taken over by somebody else: its outcome is unknown
   bool over_elsewhere = false;  ///< it ended at another executive, and was not given back
+  bool told_when_back = false;  ///< it changed, or was stopped, while another executive had it
   Tardiness told = Tardiness::kInTime;
 
   Stage stage() const { return stage_; }

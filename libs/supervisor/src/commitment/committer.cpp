@@ -149,7 +149,7 @@ void Committer::give(GoalId goal) {
 void Committer::end_waits(const std::vector<TaskId>& waits) {
   for (auto it = waits.rbegin(); it != waits.rend(); ++it) {
     book_.tasks.at(*it).advance(Step::kOrder);
-    out_.send(executive::Abort{*it});
+    abort(*it);
   }
   stop_safe_waits();
 }
@@ -174,9 +174,36 @@ std::optional<MissionTime> Committer::end_of_safe_wait() const {
 void Committer::reschedule() {
   dates_.update(now());
   for (const TaskId id : dates_.renew_holds(now())) send_preconditions(book_.tasks.at(id));
+  tell_what_is_back();
+}
+
+// Conditions name other tasks: they are told once all of these are back.
+void Committer::tell_what_is_back() {
+  for (auto& [id, entry] : book_.tasks) {
+    const bool is_here = entry.told_when_back && !book_.elsewhere.contains(id);
+    if (!is_here || (!entry.stopping() && !entry.over() && !book_.elsewhere.empty())) continue;
+    entry.told_when_back = false;
+    if (entry.over()) continue;
+    if (entry.stopping())
+      out_.send(executive::Abort{id});
+    else if (!entry.seen.started)
+      send_preconditions(entry);
+  }
+}
+
+// The executive here knows nothing of what another one has.
+bool Committer::is_told_later(Entry& entry) const {
+  const bool is_away = book_.elsewhere.contains(entry.task.id);
+  entry.told_when_back = entry.told_when_back || is_away;
+  return is_away;
+}
+
+void Committer::abort(TaskId id) {
+  if (!is_told_later(book_.tasks.at(id))) out_.send(executive::Abort{id});
 }
 
 void Committer::send_preconditions(Entry& entry) {
+  if (is_told_later(entry)) return;
   entry.told_window = entry.window;
   executive::Start start =
       to_start(as_given(entry.task), entry.window, book_.ending_by_order(), entry.holds);
@@ -187,7 +214,7 @@ void Committer::send_preconditions(Entry& entry) {
 void Committer::stop(const std::vector<TaskId>& tasks) {
   for (const TaskId id : tasks) {
     book_.tasks.at(id).advance(Step::kStop);
-    out_.send(executive::Abort{id});
+    abort(id);
   }
 }
 

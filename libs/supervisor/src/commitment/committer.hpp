@@ -57,6 +57,10 @@ class Committer {
   std::set<TaskId> loose_before(const mission::ElementaryTask& task) const;
   void end_waits(const std::vector<TaskId>& waits);
   Duration safe_wait_ends_within() const;
+  void abort(TaskId id);
+  /// Another executive has the task: it is told when it is back.
+  bool is_told_later(Entry& entry) const;
+  void tell_what_is_back();
 
   const world::VehicleModel& vehicle_;
   Duration horizon_;

@@ -177,10 +177,11 @@ bool is_hidden(const world::Terrain& terrain, const world::Vector3& eye,
   return sees(before) && !sees(now);
 }
 
-// Roles of a joint task under way see to what moves.
+// Roles of a joint task see to what moves, from when they are negotiated: to plan it anew would be
+// to leave those who have agreed on it.
 bool is_with_its_roles(const std::vector<const Entry*>& tasks) {
-  return std::any_of(tasks.begin(), tasks.end(), [](const Entry* one) {
-    return executive::is_joint(one->task.type) && one->under_way() && !one->over();
+  return std::ranges::any_of(tasks, [](const Entry* one) {
+    return executive::is_joint(one->task.type) && !one->over();
   });
 }
 

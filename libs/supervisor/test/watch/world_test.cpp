@@ -117,6 +117,19 @@ TEST(SupervisorWorld, OtherPlacesDoNotMatter) {
   EXPECT_FALSE(desk.job_started());
 }
 
+// Found by random missions (--escorts): what was agreed on was left at each word of its driver.
+TEST(SupervisorWorld, APlaceThatMovesIsForTheRolesOfAJointTaskToSeeTo) {
+  Desk desk = Desk::engaged(config_with_places());
+  desk.give(place_at("alarm:1", {100, 0, 0}));
+  desk.add(visit(1, 701, "alarm:1"));
+  desk.finish(inserted({701}, {TaskOf(100, "joint:track", 701)}));
+
+  desk.at(10).give(place_at("alarm:1", {160, 0, 0}));
+
+  EXPECT_FALSE(desk.job_started());
+  EXPECT_THAT(desk.requests(), IsEmpty());
+}
+
 // ---- places behind a crest ----
 
 // Found by missions over mountains (--fires --rough 7): a third of a fire's monitoring saw the

@@ -67,6 +67,10 @@ Mission generate_partners(std::uint64_t seed, const Kinds& kinds);
 /// off, die, be taken in hand, not take part, or have them in another order; of the kinds, radio,
 /// deaths, degrees, changes, air, faults, energy and merged count.
 Mission generate_sharing(std::uint64_t seed, const Kinds& kinds);
+/// Likewise two to four UAVs that watch, escort or pursue something together by any of the shipped
+/// interaction models but that of mapping, while it moves; for one of them, at degree 2, the ground
+/// station may play. Of the kinds, radio, deaths, degrees, air, faults, energy and merged count.
+Mission generate_escorts(std::uint64_t seed, const Kinds& kinds);
 /// Likewise one to four UAVs at degree 4 over fires that spread in the wind: they look at the
 /// fronts, which the ground station follows, map and search the ground around, and two of them may
 /// watch a front jointly. Of the kinds, joint, alarms, radio, faults and deaths count.
