@@ -97,6 +97,7 @@ void add(Json& line, const node::LoggedInput& input) {
                           line["cut_short"] = one.clock.ran_out;
                         },
                         [&](const node::Resumed&) { line["kind"] = "resumed"; },
+                        [&](const node::Restarted&) { line["kind"] = "restarted"; },
                         [&](const node::Unsent& one) {
                           line["kind"] = "unsent";
                           line["send"] = one.send;

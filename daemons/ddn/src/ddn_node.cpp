@@ -102,6 +102,8 @@ std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
     note(*lost);
   } else if (const auto* started = std::get_if<node::Started>(&input)) {
     return dn::Started{started->first_life};
+  } else if (std::holds_alternative<node::Restarted>(input)) {
+    return dn::Resumed{};
   } else if (std::holds_alternative<node::Wakeup>(input)) {
     return dn::Tick{};
   }

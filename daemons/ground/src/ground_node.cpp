@@ -56,6 +56,10 @@ GroundNode::GroundNode(const gs::GroundConfig& config, world::Terrain terrain, n
 node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
   now_ = now;
   out_.clear();
+  if (std::holds_alternative<node::Restarted>(input)) {
+    control_.expect_answers_anew(now);
+    return {};
+  }
   happened_ = false;
   auto dates = dates_.hear(input, now);
   const bool of_dates = dates && std::holds_alternative<node::Received>(input);

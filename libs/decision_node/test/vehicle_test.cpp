@@ -11,9 +11,11 @@ namespace {
 using functional::TaskId;
 using functional::TaskState;
 using functional::Verb;
+using testing::asked_of_vehicle;
 using ::testing::ElementsAre;
 using testing::FlownNode;
 using ::testing::IsEmpty;
+using testing::start_of;
 
 std::vector<std::uint64_t> dispatched(const Effects& effects) {
   std::vector<std::uint64_t> ids;
@@ -39,6 +41,20 @@ TEST(Vehicle, WhatHoldsItWaitsUntilWhatWasInterruptedIsOver) {
   EXPECT_THAT(dispatched(node.give(status(12, TaskState::kRunning))), IsEmpty());
 
   EXPECT_THAT(dispatched(node.give(status(12, TaskState::kAborted))), ElementsAre(21U));
+}
+
+// Found by random missions (--long-deaths): it had begun within a second, while the node was dead.
+TEST(Vehicle, WhatBeganWhileTheNodeWasDeadIsHeardBeforeItIsGivenUp) {
+  FlownNode node(2);
+  node.answer_to(start_of(12, "goto"));
+
+  node.wake_at(1);
+  node.restarts_at(400);
+  node.give(status(12, TaskState::kRunning));
+
+  EXPECT_THAT(asked_of_vehicle(node.wake_at(600)), IsEmpty()) << "it goes on";
+  EXPECT_THAT(testing::all<TaskChanged>(node.give(status(12, TaskState::kEnded))),
+              ::testing::Not(IsEmpty()));
 }
 
 TEST(Vehicle, ALookWaitsForNothing) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "timers.hpp"
 
+#include <algorithm>
+
 #include "skein/foundation/contract.hpp"
 
 namespace skein::executive {
@@ -13,6 +15,14 @@ void Timers::set(const Timer& timer) {
 
 void Timers::drop(TaskId id) {
   if (due_.erase(id) > 0) trim();
+}
+
+std::vector<TaskId> Timers::tasks_with(Timer::Kind kind) const {
+  std::vector<TaskId> tasks;
+  for (const auto& [id, timer] : due_)
+    if (timer.kind == kind) tasks.push_back(id);
+  std::sort(tasks.begin(), tasks.end());
+  return tasks;
 }
 
 std::optional<MissionTime> Timers::next() const {

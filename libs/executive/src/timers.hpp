@@ -31,6 +31,8 @@ class Timers {
  public:
   void set(const Timer& timer);
   void drop(TaskId id);
+  /// The tasks that have a timer of this kind, by id.
+  std::vector<TaskId> tasks_with(Timer::Kind kind) const;
   std::optional<MissionTime> next() const;
   /// The one that expires first. Precondition: next().
   Timer take();

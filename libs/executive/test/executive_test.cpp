@@ -85,8 +85,8 @@ TEST(Executive, NeverCountsAnInterruptedTaskAsEnded) {
   EXPECT_EQ(mission.reason_of(1), "abort requested");
 }
 
-// Found by random missions (--anything 48): an engine failed, and a camera that was to stop with the
-// flight had stopped by itself; the interruption was answered by what had been told of it last.
+// Found by random missions (--anything 48): an engine failed, and a camera that was to stop with
+// the flight had stopped by itself; the interruption was answered by what had been told of it last.
 TEST(Executive, TakesTheAnswerToAnInterruptionThatMetATaskWhichWasOver) {
   for (const TaskState over : {kEnded, kAborted}) {
     Mission mission;
@@ -406,6 +406,26 @@ TEST(Executive, AbortsATaskWhoseDispatchIsNotAnsweredInTime) {
   EXPECT_THAT(mission.at(2.9).tick(), IsEmpty());
   EXPECT_THAT(mission.at(3).tick(), ElementsAre("1 aborted"));
   EXPECT_THAT(mission.reason_of(1), HasSubstr("time-out"));
+}
+
+// A node that was dead hears all that came meanwhile only then.
+TEST(Executive, WaitsForAnswersAnewOnceItHearsAgain) {
+  Mission mission(impatient());
+  mission.start(TaskOf(1, "goto"));
+
+  mission.at(100).hears_again();
+
+  EXPECT_THAT(mission.at(102.9).tick(), IsEmpty());
+  EXPECT_THAT(mission.runs(1), ElementsAre("1 running"));
+  EXPECT_THAT(mission.at(110).tick(), IsEmpty());
+}
+
+TEST(Executive, WaitsForAnswersAnewNoLongerThanForAny) {
+  Mission mission(impatient());
+  mission.start(TaskOf(1, "goto"));
+  mission.at(100).hears_again();
+
+  EXPECT_THAT(mission.at(103).tick(), ElementsAre("1 aborted"));
 }
 
 // Found over DDS: a flight that waited for its air was flown after it had been given up.

@@ -28,6 +28,8 @@ using journal::Written;
 constexpr Duration kSettling = Duration::milliseconds(6'000);
 /// Life of the words that another UAV is lost, or found again (docs/interaction.md).
 constexpr Duration kNews = Duration::milliseconds(600'000);
+/// On the way from a vehicle to its UAV's decision node.
+constexpr Duration kOnBoard = Duration::milliseconds(500);
 constexpr double kMoment = 0.5;  ///< [s] more than any latency of a test
 /// Long messages are numbered from here on, and have an order of their own.
 constexpr std::uint64_t kFirstLongMessage = std::uint64_t{1} << 50;
@@ -45,9 +47,9 @@ class Checker {
     for (const Record& record : records) {
       if (record.at() < last_) breach(record, "time goes back");
       const bool read =
-          journal::hand_on<lines::Task, lines::Degree, lines::Command, lines::Sync, lines::Message,
-                           lines::Link, lines::Route, lines::Fault, lines::Resumed, lines::Unsent>(
-              record, *this);
+          journal::hand_on<lines::Task, lines::Functional, lines::Degree, lines::Command,
+                           lines::Sync, lines::Message, lines::Link, lines::Route, lines::Fault,
+                           lines::Resumed, lines::Unsent>(record, *this);
       if (!read) breach(record, "a line lacks what one of its kind must have");
       last_ = record.at();
     }
@@ -60,7 +62,14 @@ class Checker {
     std::string& state = tasks_[{when.node, job.first, job.second}];
     if (!may_follow(state, line.state) && !may_go_on(when.node, job, line.state))
       breach(when.record, "a task goes from '" + state + "' to '" + line.state + "'");
+    if (when.node == line.uav && line.state == "aborted" && has_answer(job, state, when.at) &&
+        line.reason.ends_with("no answer within the time-out"))
+      breach(when.record, "a task is aborted for want of an answer that its UAV was sent");
     state = latest_[job] = line.state;
+  }
+
+  void hear(const lines::Functional& line, const Written& when) {
+    answers_[{line.uav, line.task}] = {line.state, when.at};
   }
 
   // What is not over may change hands with the degree: who takes it over goes on where the other
@@ -170,6 +179,10 @@ class Checker {
     std::string state;               ///< as it was when the degree changed
     std::set<std::string> taken_by;  ///< MLEs
   };
+  struct Said {
+    std::string state;
+    MissionTime at;
+  };
   using Task = std::tuple<std::string, std::string, std::uint64_t>;  ///< MLE at, UAV, id
   using Job = std::pair<std::string, std::uint64_t>;                 ///< UAV, id
   using Channel = std::pair<std::string, std::string>;               ///< from, to
@@ -187,6 +200,15 @@ class Checker {
     return std::ranges::any_of(found->second, [&](MissionTime death) {
       return at >= death - *late_ && at <= death + *late_;
     });
+  }
+
+  /// The vehicle has said before that the task runs, to a UAV that waits for it to begin, or that
+  /// it is over.
+  bool has_answer(const Job& job, std::string_view state, MissionTime at) const {
+    const auto answer = answers_.find(job);
+    if (answer == answers_.end() || answer->second.at + kOnBoard >= at) return false;
+    const std::string& said = answer->second.state;
+    return said == "ended" || said == "aborted" || (said == "running" && state == "started");
   }
 
   static bool may_follow(std::string_view before, std::string_view after) {
@@ -282,6 +304,7 @@ class Checker {
   std::map<std::string, std::vector<MissionTime>> deaths_;  ///< by node, all of the run
   MissionTime last_;
   std::map<Task, std::string> tasks_;
+  std::map<Job, Said> answers_;        ///< of vehicles, last
   std::map<Job, std::string> latest_;  ///< whoever told it
   std::map<Job, HandedOver> handed_over_;
   std::map<std::uint64_t, Command> commands_;

@@ -89,6 +89,29 @@ TEST(JournalLaws, WhatIsOverIsNotTakenOver) {
   EXPECT_THAT(broken_protocol(log), ElementsAre(HasSubstr("a task goes from '' to 'running'")));
 }
 
+// Found by random missions (--long-deaths): back after minutes, its decision node gave up what the
+// vehicle had begun meanwhile.
+TEST(JournalLaws, WhatTheVehicleHasAnsweredIsNotGivenUpForWantOfAnAnswer) {
+  const auto given_up = [](const char* answer, double when, const char* node = "marvin") {
+    Record aborted = record_of(at(200), node,
+                               lines::Task{.uav = "marvin",
+                                           .task = 1,
+                                           .state = "aborted",
+                                           .reason = {"no answer within the time-out"}});
+    return broken_protocol(
+        {task(1, "scheduled", node), task(1, "started", node),
+         record_of(at(when), "sim", lines::Functional{.uav = "marvin", .task = 1, .state = answer}),
+         aborted});
+  };
+
+  EXPECT_THAT(given_up("running", 90),
+              ElementsAre(HasSubstr("for want of an answer that its UAV was sent")));
+  EXPECT_THAT(given_up("ended", 90), ElementsAre(HasSubstr("for want of an answer")));
+  EXPECT_THAT(given_up("started", 2), IsEmpty()) << "it waited, and said nothing since";
+  EXPECT_THAT(given_up("running", 199.8), IsEmpty()) << "it is on its way";
+  EXPECT_THAT(given_up("running", 90, "ground"), IsEmpty()) << "a link may be down";
+}
+
 TEST(JournalLaws, AnOrdinaryLifeBreaksNone) {
   const Log log{
       task(1, "scheduled"), task(1, "started"),    task(2, "running"),         task(3, "aborting"),

@@ -71,6 +71,18 @@ class Drawing {
 
 }  // namespace
 
+void let_die_for_long(Mission& mission) {
+  Random random(mission.seed, "random mission: long deaths");
+  double from = 5;
+  for (std::uint64_t left = 1 + random.below(2); left > 0; --left) {
+    const double at = random.uniform(from, from + 350), away = random.uniform(60, 600);
+    const std::string& who = mission.team[random.below(mission.team.size())].name;
+    mission.faults.push_back("{at: " + tenths(at) + ", kill: " + who +
+                             ", restart_after: " + tenths(away) + "}");
+    from = 350;
+  }
+}
+
 Troubles draw_troubles(std::uint64_t seed, const Stage& stage) {
   SKEIN_EXPECTS(!stage.vehicles.empty() && !stage.daemons.empty());
   Troubles troubles = Drawing(seed, stage).draw();

@@ -318,5 +318,29 @@ TEST(DrawnTroubles, AreTheSameForOneSeed) {
   EXPECT_NE(text(5), text(6));
 }
 
+TEST(LongDeaths, AreOfDecisionNodesForMinutesAndLeaveTheRestAsItIs) {
+  std::size_t twice = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    Mission mission = generate_meetings(seed, kClean);
+    const Mission before = mission;
+    let_die_for_long(mission);
+    const Names uavs = test::DrawnMission(mission).uavs();
+    for (const std::string& fault : mission.faults) {
+      const YAML::Node drawn = YAML::Load(fault);
+      EXPECT_TRUE(uavs.contains(drawn["kill"].as<std::string>()));
+      EXPECT_GE(drawn["at"].as<double>(), 5);
+      EXPECT_LE(drawn["at"].as<double>(), 700);
+      EXPECT_GE(drawn["restart_after"].as<double>(), 60);
+      EXPECT_LE(drawn["restart_after"].as<double>(), 600);
+    }
+    ASSERT_GE(mission.faults.size(), 1U);
+    twice += mission.faults.size() - 1;
+    mission.faults.clear();
+    EXPECT_EQ(to_yaml(mission, ".."), to_yaml(before, ".."));
+  }
+  EXPECT_GT(twice, 20U);
+  EXPECT_LT(twice, 80U);
+}
+
 }  // namespace
 }  // namespace skein::mission_lab

@@ -173,6 +173,7 @@ void Host::start(Now now, bool first_life) {
     carry_out(std::exchange(left_, {}), now);
     gives_out_again_ = false;
     sends_ = sends;
+    give(Restarted{}, now);
   }
   for (auto& incoming : std::exchange(before_start_, {})) take(std::move(incoming), now);
 }

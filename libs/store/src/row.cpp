@@ -17,8 +17,8 @@ using node::NodeNumber;
 
 /// In the order of LoggedInput's alternatives.
 constexpr std::array<std::string_view, std::variant_size_v<LoggedInput>> kKinds = {
-    "started", "received", "reachability", "undelivered", "delivered",   "wakeup",
-    "job",     "resumed",  "unsent",       "skipped",     "acknowledged"};
+    "started", "received", "reachability", "undelivered", "delivered",    "wakeup",
+    "job",     "resumed",  "unsent",       "skipped",     "acknowledged", "restarted"};
 constexpr std::int64_t kFirst = 1, kSecond = 2;  // flags
 
 std::int64_t to_signed(std::uint64_t value) { return static_cast<std::int64_t>(value); }
@@ -78,6 +78,7 @@ void fill(Row& row, const node::Acknowledged& one) {
 }
 void fill(Row&, const node::Wakeup&) {}
 void fill(Row&, const node::Resumed&) {}
+void fill(Row&, const node::Restarted&) {}
 
 Result<NodeNumber, Failure> peer_of(const Row& row) {
   if (row.peer <= 0 || row.peer > 0xffffffffLL)
@@ -125,6 +126,7 @@ Result<LoggedInput, Failure> input_of(const Row& row) {
   if (row.kind == "started") return node::Started{to_unsigned(row.value), first};
   if (row.kind == "wakeup") return node::Wakeup{};
   if (row.kind == "resumed") return node::Resumed{};
+  if (row.kind == "restarted") return node::Restarted{};
   if (row.kind == "unsent") return node::Unsent{to_unsigned(row.value)};
   if (row.kind == "job")
     return node::JobEnded{to_unsigned(row.value), JobClock{first, second, to_unsigned(row.extra)}};

@@ -59,6 +59,10 @@ class FlownNode {
   explicit FlownNode(Config config) : node_(std::move(config)) { born_ = give(Started{}); }
 
   Effects give(const Input& input) { return node_.handle(input, now_); }
+  Effects restarts_at(double seconds) {
+    now_ = MissionTime::seconds(seconds);
+    return give(Resumed{});
+  }
   Effects wake_at(double seconds) {
     now_ = MissionTime::seconds(seconds);
     return give(Tick{});

@@ -78,7 +78,8 @@ std::vector<node::LogEntry> one_of_each() {
            node::Undelivered{NodeNumber(12), wire::Slot::kTaskRequest, 42, 1ULL << 40, false},
            node::Delivered{NodeNumber(12), 1ULL << 40}, node::Wakeup{}, node::JobEnded{8, {}},
            node::JobEnded{9, {true, false, 12}}, node::JobEnded{10, {true, true, 1ULL << 40}},
-           node::Resumed{}, node::Unsent{6}, skipped, node::Acknowledged{NodeNumber(3), 640}})
+           node::Resumed{}, node::Unsent{6}, skipped, node::Acknowledged{NodeNumber(3), 640},
+           node::Restarted{}})
     inputs.push_back(std::move(input));
   std::vector<node::LogEntry> entries;
   for (node::LoggedInput& input : inputs)

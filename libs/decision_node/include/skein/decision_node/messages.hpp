@@ -35,6 +35,10 @@ struct Started {
   bool first_life = false;  ///< no life before this one; false: memory of one may be lost
 };
 
+/// The first input of a life that has the memory of those before: nothing was heard until now, and
+/// what came meanwhile is yet to be told.
+struct Resumed {};
+
 /// Identifies a command: its number within one life of the ground station.
 struct CommandKey {
   std::uint64_t incarnation = 0;
@@ -151,7 +155,7 @@ using Input =
                  StatusTold, SyncMessage, DegreeTold, world::Telemetry, world::Perception, Contact,
                  LayerForgot, supervisor::JobFinished, interaction::SessionMessage, PartnerSeen,
                  JointTaskTold, GroundNegotiates, GroundPlays, ReckoningFinished, DetoursPlanned,
-                 WaySearched, TeamTold, MergeTold, FrontierTold, Tick>;
+                 WaySearched, TeamTold, MergeTold, FrontierTold, Tick, Resumed>;
 
 // ---- effects, to be carried out in their order ----
 

@@ -7,7 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "skein/mission_lab/mission.hpp"
+
 namespace skein::mission_lab {
+
+/// One or two of its UAVs' decision nodes die in the first 700 s, for 60 to 600 s, and come back
+/// with what they knew. Drawn from the mission's seed by a separate sequence, so that the rest of
+/// the mission is unchanged.
+void let_die_for_long(Mission& mission);
 
 /// The vehicles and daemons that faults may affect, and the duration of the mission.
 struct Stage {

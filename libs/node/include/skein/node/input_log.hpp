@@ -41,7 +41,7 @@ struct Acknowledged {
 };
 
 using LoggedInput = std::variant<Started, Received, Reachability, Undelivered, Delivered, Wakeup,
-                                 JobEnded, Resumed, Unsent, Skipped, Acknowledged>;
+                                 JobEnded, Resumed, Unsent, Skipped, Acknowledged, Restarted>;
 
 /// `at` never decreases from entry to entry; the first entry is a Started. A later Started is a new
 /// incarnation without memory (HostConfig::forgets).

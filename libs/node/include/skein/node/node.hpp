@@ -25,6 +25,9 @@ struct Started {
   /// False: it may have forgotten one.
   bool first_life = false;
 };
+/// First input of every further life that has the memory of the former ones: until now nothing was
+/// heard, and what came meanwhile is yet to be read.
+struct Restarted {};
 /// A sample arrived: well formed, new and in order. `header_of(sample).origin` is its author.
 struct Received {
   NodeNumber from;
@@ -70,8 +73,8 @@ struct JobDone {
 /// The instant given by next_wakeup() has come.
 struct Wakeup {};
 
-using Input =
-    std::variant<Started, Received, Reachability, Undelivered, Delivered, JobDone, Wakeup>;
+using Input = std::variant<Started, Received, Reachability, Undelivered, Delivered, JobDone, Wakeup,
+                           Restarted>;
 
 /// Sends a sample to one peer; the blackboard fills in the header. A refusal is logged.
 struct Send {
