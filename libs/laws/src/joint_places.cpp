@@ -59,7 +59,8 @@ double last_told(const History& history, const std::string& uav, double at) {
   return history.joint.last_reached("ground", uav, relays, at, kTelling);
 }
 
-/// Where a name of a constraint is in truth, or for all that the UAV may know.
+/// Where a name of a constraint is in truth, or for all that the UAV may know; what was given under
+/// the ground is on it.
 std::optional<world::Vector3> where(const History& history, const std::string& name,
                                     const std::string& uav, double at) {
   if (const auto moving = history.uavs.find(name); moving != history.uavs.end()) {
@@ -80,6 +81,7 @@ std::optional<world::Vector3> where(const History& history, const std::string& n
     const bool known = at - told.seen < kOldest - kTelling && told.told <= heard;
     place = known ? std::optional(told.position) : std::nullopt;
   }
+  if (place) place->z() = std::max(place->z(), history.terrain.elevation(place->x(), place->y()));
   return place;
 }
 
