@@ -26,6 +26,11 @@ void Core::Inputs::operator()(const Started& started) const {
   core_.team_.start();
 }
 
+void Core::Inputs::operator()(const Resumed&) const {
+  core_.partners_.resume(core_.bus_.now());
+  core_.execution_.expect_answers_anew();
+}
+
 // ---- commands ----
 
 void Core::Inputs::operator()(const Command& command) const {

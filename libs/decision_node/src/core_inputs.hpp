@@ -13,7 +13,7 @@ class Core::Inputs {
   explicit Inputs(Core& core) : core_(core) {}
 
   void operator()(const Started& started) const;
-  void operator()(const Resumed&) const { core_.execution_.expect_answers_anew(); }
+  void operator()(const Resumed&) const;
   void operator()(const Command& command) const;
   void operator()(const UnreadableCommand& command) const;
   void operator()(const PlaceTold& told) const;

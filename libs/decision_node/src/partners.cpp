@@ -6,6 +6,12 @@
 
 namespace skein::decision_node {
 
+void Partners::resume(MissionTime now) {
+  start(now);
+  for (auto& [uav, since] : silent_since_)
+    if (since) since = now;
+}
+
 void Partners::contact(const Contact& contact, MissionTime now) {
   if (contact.ground) {
     if (hears_ground_ && !contact.reachable) ground_silent_since_ = now;

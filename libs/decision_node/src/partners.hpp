@@ -25,6 +25,8 @@ class Partners {
 
   /// To be called first; nobody has been heard yet.
   void start(MissionTime now) { born_ = ground_silent_since_ = now; }
+  /// Nothing was heard until now, as after a restart: who was silent is so from now on.
+  void resume(MissionTime now);
   void contact(const Contact& contact, MissionTime now);
   void declare_lost(const std::string& uav) { lost_.insert(uav); }
   void declare_found(const std::string& uav) { lost_.erase(uav); }

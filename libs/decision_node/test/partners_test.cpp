@@ -56,6 +56,24 @@ TEST_F(APartner, ThatIsSilentAlreadyIsWaitedForForALease) {
   EXPECT_EQ(given_up(200, 300), "no contact with 'heliv' since 50 s");
 }
 
+// Found by random missions (--partners --merged --long-deaths 1020028): dead itself for nine
+// minutes, it gave up one that had been heard by all others.
+TEST_F(APartner, ThatWasSilentBeforeThisNodeDiedIsSilentFromWhenItIsBack) {
+  heard(5);
+  silent(50);
+
+  partners.resume(MissionTime::seconds(600));
+
+  EXPECT_EQ(given_up(10, 699), "");
+  EXPECT_EQ(given_up(10, 700), "no contact with 'heliv' since 600 s, when this node began");
+}
+
+TEST_F(APartner, ThatWasHeardBeforeThisNodeDiedIsWaitedFor) {
+  heard(5);
+  partners.resume(MissionTime::seconds(600));
+  EXPECT_EQ(given_up(10, 10'000), "");
+}
+
 // Found by random missions (--robots 950007).
 TEST_F(APartner, WhoseWordsComeByWayOfTheGroundIsWaitedForAsLongAsThatIsHeard) {
   const auto ground = [&](double when, bool reachable) {

@@ -54,7 +54,10 @@ std::vector<Violation> roles_held_twice(const History& history) {
       if (most_of(history, a->joint, a->role) != 1) continue;
       const double from = std::max(a->from, b->from), until = std::min(a->until, b->until);
       const double end = std::min(until, history.end);
-      if (end - from <= kMoment) continue;
+      // The others go on without who is dead; back, it ends what it has begun, as they do.
+      const bool is_one_dead =
+          history.was_away(a->uav, from, end) || history.was_away(b->uav, from, end);
+      if (end - from <= kMoment || is_one_dead) continue;
       result.push_back({"", from, a->uav, 0,
                         a->uav + " and " + b->uav + " both hold role " + a->role + " of " +
                             a->joint + " for " + figure(end - from) + " s"});

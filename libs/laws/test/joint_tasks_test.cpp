@@ -26,6 +26,15 @@ TEST(JointLaws, ARoleForOneIsHeldByOneAtATime) {
   EXPECT_THAT(twice.broken(roles_held_twice), ElementsAre(HasSubstr("both hold role watch")));
 }
 
+// Found by random missions (--escorts --long-deaths 1020022).
+TEST(JointLaws, TheRoleOfWhoIsDeadIsHeldByAnother) {
+  Told told;
+  told.phase(10, "marvin", "running", "watch").phase(70, "heliv", "running", "watch");
+  EXPECT_THAT(Told(told).broken(roles_held_twice), SizeIs(1));
+
+  EXPECT_THAT(told.dies("marvin", 20, 300).broken(roles_held_twice), IsEmpty());
+}
+
 TEST(JointLaws, ARoleForAnyNumberMayBeHeldByAll) {
   Told told;
   told.phase(10, "marvin", "running", "relay").phase(10, "heliv", "running", "relay");
