@@ -254,7 +254,8 @@ std::vector<Violation> idle_without_word(const History& history) {
     for (const Sample& sample : uav.samples) {
       const std::set<std::int64_t> open = open_goals(uav, sample.at);
       const bool idle = sample.airborne && uav.degree(sample.at) >= 4 && !open.empty() &&
-                        !occupied(uav, sample.at) && !does_by_hand(history, uav, sample.at);
+                        !occupied(uav, sample.at) && !does_by_hand(history, uav, sample.at) &&
+                        !history.was_away(name, sample.at, sample.at);
       if (!idle) {
         since.reset();
         meant.clear();

@@ -472,6 +472,13 @@ TEST(Idle, WhoWaitsInTheAirWithOpenGoalsNamesOne) {
   EXPECT_THAT(idles("goal 7012 cannot begin yet: no air is free"), SizeIs(1)) << "another goal";
 }
 
+TEST(Idle, WhoseNodeIsDeadSaysNothing) {
+  Story story;
+  story.flies("marvin", 0, 100, kOver, kOver).goal("marvin", 701, "perceive P1 60", "received", 1);
+  story.fault(4, "kill", "marvin").fault(95, "resume", "marvin");
+  EXPECT_THAT(story.broken("idle"), IsEmpty());
+}
+
 // Found by random missions (--hands 700360): the UAV named the operator's task that its goal waited
 // for, and was taken to become idle when a synchronisation beside it was over.
 TEST(Idle, AnOperatorsSynchronisationLeavesTheVehicleFree) {
