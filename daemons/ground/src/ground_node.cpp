@@ -57,8 +57,8 @@ node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
   now_ = now;
   out_.clear();
   if (std::holds_alternative<node::Restarted>(input)) {
-    control_.expect_answers_anew(now);
-    return {};
+    tell_control(gs::Resumed{});
+    return std::move(out_);
   }
   happened_ = false;
   auto dates = dates_.hear(input, now);

@@ -151,8 +151,6 @@ std::vector<executive::Wait> Execution::waits() const {
   return waits;
 }
 
-void Execution::expect_answers_anew() { executive_.expect_answers_anew(core_.bus().now()); }
-
 void Execution::give_up_on_partners() {
   for (const executive::Wait& wait : waits()) {
     for (const std::string& uav : wait.awaited) {

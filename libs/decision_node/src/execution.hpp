@@ -33,7 +33,6 @@ class Execution final : public Component {
 
   /// Aborts synchronisations that wait for a partner that is given up.
   void give_up_on_partners();
-  void expect_answers_anew();
 
   /// Whether the executive has this task, unfinished.
   bool holds(functional::TaskId id) const;

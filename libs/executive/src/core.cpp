@@ -31,6 +31,9 @@ Executive::Core::Core(Config config)
 
 Effects Executive::Core::handle(const Input& input, MissionTime now) {
   now_ = std::max(now_, now);
+  const auto* tick = std::get_if<Tick>(&input);
+  if (tick != nullptr && tick->after_silence)
+    timers_.put_off(Timer::Kind::kTimeout, now_ + config_.functional_timeout.value_or(Duration()));
   advance();
   std::visit([this](const auto& one) { on(one); }, input);
   return done();

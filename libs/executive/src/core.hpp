@@ -24,7 +24,6 @@ class Executive::Core {
 
   Effects handle(const Input& input, MissionTime now);
   Effects give_up(TaskId synchronisation, const std::string& why, MissionTime now);
-  void expect_answers_anew(MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
   const Plan& plan() const { return plan_; }
   const Conditions& conditions() const { return conditions_; }

@@ -18,8 +18,6 @@ Effects Executive::give_up(TaskId synchronisation, const std::string& why, Missi
   return core_->give_up(synchronisation, why, now);
 }
 
-void Executive::expect_answers_anew(MissionTime now) { core_->expect_answers_anew(now); }
-
 std::optional<MissionTime> Executive::next_wakeup() const { return core_->next_wakeup(); }
 
 std::vector<TaskStatus> Executive::tasks() const {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "timers.hpp"
 
-#include <algorithm>
-
 #include "skein/foundation/contract.hpp"
 
 namespace skein::executive {
@@ -17,12 +15,13 @@ void Timers::drop(TaskId id) {
   if (due_.erase(id) > 0) trim();
 }
 
-std::vector<TaskId> Timers::tasks_with(Timer::Kind kind) const {
-  std::vector<TaskId> tasks;
-  for (const auto& [id, timer] : due_)
-    if (timer.kind == kind) tasks.push_back(id);
-  std::sort(tasks.begin(), tasks.end());
-  return tasks;
+void Timers::put_off(Timer::Kind kind, MissionTime at) {
+  for (auto& [id, timer] : due_) {
+    if (timer.kind != kind) continue;
+    timer.at = at;
+    queue_.push(timer);
+  }
+  trim();
 }
 
 std::optional<MissionTime> Timers::next() const {

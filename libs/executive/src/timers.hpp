@@ -31,8 +31,8 @@ class Timers {
  public:
   void set(const Timer& timer);
   void drop(TaskId id);
-  /// The tasks that have a timer of this kind, by id.
-  std::vector<TaskId> tasks_with(Timer::Kind kind) const;
+  /// All timers of this kind expire at that instant instead.
+  void put_off(Timer::Kind kind, MissionTime at);
   std::optional<MissionTime> next() const;
   /// The one that expires first. Precondition: next().
   Timer take();

@@ -62,12 +62,6 @@ void Executive::Core::expect_answer(TaskRecord& record) {
   timers_.set(Timer{now_ + *config_.functional_timeout, Timer::Kind::kTimeout, record.id});
 }
 
-void Executive::Core::expect_answers_anew(MissionTime now) {
-  for (const TaskId id : timers_.tasks_with(Timer::Kind::kTimeout))
-    timers_.set(
-        Timer{std::max(now_, now) + *config_.functional_timeout, Timer::Kind::kTimeout, id});
-}
-
 // Who performs them keeps the dispatch behind the interruption.
 void Executive::Core::make_way_for(const TaskRecord& task) {
   for (const TaskId id : resources_.users_of(task.resources)) {

@@ -408,26 +408,6 @@ TEST(Executive, AbortsATaskWhoseDispatchIsNotAnsweredInTime) {
   EXPECT_THAT(mission.reason_of(1), HasSubstr("time-out"));
 }
 
-// A node that was dead hears all that came meanwhile only then.
-TEST(Executive, WaitsForAnswersAnewOnceItHearsAgain) {
-  Mission mission(impatient());
-  mission.start(TaskOf(1, "goto"));
-
-  mission.at(100).hears_again();
-
-  EXPECT_THAT(mission.at(102.9).tick(), IsEmpty());
-  EXPECT_THAT(mission.runs(1), ElementsAre("1 running"));
-  EXPECT_THAT(mission.at(110).tick(), IsEmpty());
-}
-
-TEST(Executive, WaitsForAnswersAnewNoLongerThanForAny) {
-  Mission mission(impatient());
-  mission.start(TaskOf(1, "goto"));
-  mission.at(100).hears_again();
-
-  EXPECT_THAT(mission.at(103).tick(), ElementsAre("1 aborted"));
-}
-
 // Found over DDS: a flight that waited for its air was flown after it had been given up.
 TEST(Executive, InterruptsWhatIsNotAnsweredInTimeIfItIsTo) {
   Config config = impatient();

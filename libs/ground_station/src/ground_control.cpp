@@ -55,7 +55,7 @@ GroundControl::GroundControl(const GroundConfig& config, const world::Terrain& t
 std::vector<GroundControl::Effect> GroundControl::handle(const Input& input, MissionTime now) {
   Effects out;
   for (const OperatorDesk::Effect& effect : desk_.wake(now)) accept(effect, out);
-  wake(now);
+  if (!std::holds_alternative<Resumed>(input)) wake(now);
   run_errands(now, out);
   accept(input, now, out);
   run_errands(now, out);
@@ -86,6 +86,10 @@ void GroundControl::accept(const Input& input, MissionTime now, Effects& out) {
   std::visit(
       Overloaded{
           [](const Tick&) {},
+          [&](const Resumed&) {
+            for (const std::string& uav : mles_.running())
+              errands_.emplace_back(LocalInput{uav, executive::Tick{true}, std::nullopt});
+          },
           [&](const PerceptionReceived& it) {
             for (const auto& effect : perception_.handle(it.perception, now)) {
               route(effect, out);

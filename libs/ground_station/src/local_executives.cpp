@@ -37,10 +37,6 @@ std::optional<MissionTime> LocalExecutives::next_wakeup() const {
   return wakeup;
 }
 
-void LocalExecutives::expect_answers_anew(MissionTime now) {
-  for (auto& [uav, local] : running_) local.executive.expect_answers_anew(now);
-}
-
 executive::Executive& LocalExecutives::of(const std::string& uav) { return local(uav).executive; }
 
 LocalExecutives::Local& LocalExecutives::local(const std::string& uav) {

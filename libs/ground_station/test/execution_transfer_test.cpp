@@ -229,6 +229,22 @@ TEST(ExecutionTransfer, WhatANodeThatHasChangedRefusesIsNotLost) {
   EXPECT_EQ(ground.board(at(6)).uavs[0].tasks.find(id(6))->state, TaskState::kStarted);
 }
 
+// ---- back after minutes ----
+
+TEST(ExecutionTransfer, BackAfterMinutesItHearsTheVehicleBeforeItGivesUpWhatThatHasBegun) {
+  executive::Config impatient;
+  impatient.functional_timeout = Duration::seconds(120);
+  GroundConfig config;
+  config.uavs = {{"marvin", 1, impatient}};
+  GroundControl ground(config, flat_terrain());
+  ground.handle(command(start_of(5)), at(1));
+
+  ground.handle(Resumed{}, at(400));
+  ground.handle(status(5, TaskState::kRunning), at(400));
+
+  EXPECT_EQ(ground.board(at(401)).uavs[0].tasks.find(id(5))->state, TaskState::kRunning);
+}
+
 // ---- plans that are held ----
 
 TEST(ExecutionTransfer, WhatWasOnlyPlannedIsHeldAndShown) {

@@ -72,17 +72,6 @@ TEST(LocalExecutives, LetGoOfWhatIsNotOverWithItsStateAndConditions) {
   EXPECT_EQ(tasks[1].task.preconditions, executive::Formula{in_state(5, TaskState::kEnded)});
 }
 
-TEST(LocalExecutives, WaitForAnswersAnewOnceTheGroundStationIsBack) {
-  LocalExecutives mles = for_two(Duration::seconds(3));
-  mles.of("marvin").handle(executive::Start{a_task(5), executive::InsertionMode::kSeq}, at(1));
-  EXPECT_THAT(mles.due(at(100)), ElementsAre("marvin"));
-
-  mles.expect_answers_anew(at(100));
-
-  EXPECT_THAT(mles.due(at(100)), IsEmpty());
-  EXPECT_EQ(mles.next_wakeup(), at(103));
-}
-
 TEST(LocalExecutives, AreToldOfAFlightOnlyWhenItIsNews) {
   LocalExecutives mles = for_two();
 

@@ -142,40 +142,6 @@ TEST(Memory, WhatCameWhileItWasDeadIsHandledOnceItIsBack) {
   EXPECT_THAT(played.answers, ElementsAre(1001, 1002, 1003, 1004, 1015));
 }
 
-// Writes what it is given.
-class Listener final : public Node {
- public:
-  Effects handle(const Input& input, MissionTime now) override {
-    if (std::holds_alternative<Started>(input)) return {line(now, "started")};
-    if (std::holds_alternative<Restarted>(input)) return {line(now, "restarted")};
-    if (std::holds_alternative<Received>(input)) return {line(now, "received")};
-    return {};
-  }
-  std::optional<MissionTime> next_wakeup() const override { return std::nullopt; }
-
- private:
-  static Log line(MissionTime now, const std::string& text) {
-    return {Record(now, "uav", "line").with("text", text)};
-  }
-};
-
-TEST(Memory, ANodeThatComesBackIsToldSoBeforeItHearsWhatCameMeanwhile) {
-  VirtualConfig config;
-  config.time_limit = at(60);
-  config.crashes = {{at(5), "uav", at(10), true}, {at(30), "uav", at(40), true}};
-  Played played;
-  run_virtual(
-      Roster({"uav"}),
-      [&](const std::string& name) -> std::unique_ptr<Node> {
-        if (name == "uav") return std::make_unique<Listener>();
-        return std::make_unique<Caller>(std::vector<double>{1, 6, 7, 50});
-      },
-      config, [&](const Record& record) { played.see(record); });
-
-  EXPECT_THAT(played.lines, ElementsAre("started", "received", "restarted", "received", "received",
-                                        "restarted", "received"));
-}
-
 TEST(Memory, AJobThatHadNotEndedBeginsAgainAndEndsOnce) {
   const auto played = play({1, 2, 3, 20}, {{at(3.02), "uav", at(10), true}});
 

@@ -112,7 +112,7 @@ class Mission {
   Words reachable(const std::string& uav) { return give(PeerReachable{uav}); }
   Words flies(bool airborne = true) { return give(Flight{airborne}); }
   Words tick() { return give(Tick{}); }
-  void hears_again() { executive.expect_answers_anew(now); }
+  Words hears_again() { return give(Tick{true}); }
 
   TaskState state_of(std::uint64_t id) const { return executive.find(TaskId{id})->state; }
   std::string reason_of(std::uint64_t id) const { return executive.find(TaskId{id})->reason; }

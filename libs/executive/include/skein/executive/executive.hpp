@@ -113,11 +113,6 @@ class Executive {
   /// Instants up to `now` are processed first, as in handle(). No effect on any other task.
   Effects give_up(TaskId synchronisation, const std::string& why, MissionTime now);
 
-  /// Nothing was heard until `now`, as after a restart: the time-outs of Config::functional_timeout
-  /// that run begin anew. No other instant is processed; those that have passed come with the next
-  /// input.
-  void expect_answers_anew(MissionTime now);
-
   /// The next instant of a time condition or a timer; call handle(Tick{}, …) then. Absent: none.
   std::optional<MissionTime> next_wakeup() const;
 

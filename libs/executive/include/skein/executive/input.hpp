@@ -93,7 +93,11 @@ struct Relinquish {
 };
 
 /// Only time has passed.
-struct Tick {};
+struct Tick {
+  /// Nothing was heard until now, as after a restart: the time-outs of Config::functional_timeout
+  /// that run begin anew.
+  bool after_silence = false;
+};
 
 using Input = std::variant<Start, Abort, ProcessMessage, UpdateConditions, Suppress,
                            FunctionalStatus, SyncReceived, PeerReachable, Flight, Relinquish, Tick>;

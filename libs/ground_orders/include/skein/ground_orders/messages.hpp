@@ -48,6 +48,9 @@ using CommandNumber = Id<struct CommandNumberTag, std::uint64_t>;
 
 /// Time passes.
 struct Tick {};
+/// The ground station is back with what it knew: nothing was heard until now, and what came
+/// meanwhile is yet to be told. First input of such a life.
+struct Resumed {};
 /// The state of a vehicle, from the vehicle.
 using TelemetryReceived = world::Telemetry;
 /// A task of a UAV entered a state; reported by its MLE.

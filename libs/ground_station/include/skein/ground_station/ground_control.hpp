@@ -98,7 +98,7 @@ class GroundControl {
                    FunctionalStatusReceived, SyncReceived, PeerReachable, OperatorActs,
                    OperatorCommand, OperatorRequest, MissionPlanReceived, HandOverReceived,
                    DecisionReceived, MissionOutcomeReceived, TeamTaskChanged, GlobalMissionChanged,
-                   RoleAsks, PlayedTaskChanged>;
+                   RoleAsks, PlayedTaskChanged, Resumed>;
   using Effect = std::variant<
       // to be sent
       SendRequest, SendFunctional, SendSync, AlarmEvent, TellAlarm, ObjectSeen, OperatorAnswered,
@@ -118,9 +118,6 @@ class GroundControl {
   /// `now` never decreases.
   std::vector<Effect> handle(const Input& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
-  /// Nothing was heard until `now`, as after a restart: time-outs of what vehicles were asked for
-  /// begin anew (executive::Executive::expect_answers_anew).
-  void expect_answers_anew(MissionTime now) { mles_.expect_answers_anew(now); }
 
   Board board(MissionTime now) const;
   /// Names of the UAVs, in the order configured.

@@ -28,7 +28,6 @@ class LocalExecutives {
   /// Those of them whose executive has something to do at `now`.
   std::vector<std::string> due(MissionTime now) const;
   std::optional<MissionTime> next_wakeup() const;
-  void expect_answers_anew(MissionTime now);
 
   /// The UAV's executive, which runs from now on. Valid until let_go().
   executive::Executive& of(const std::string& uav);
