@@ -248,14 +248,14 @@ std::vector<Violation> idle_without_word(const History& history) {
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
     if (history.was_killed(name)) continue;
-    std::optional<double> since;
+    std::optional<double> since, at_work;  // and since then with its node at work
     std::set<std::int64_t> meant;  // goals that were open meanwhile: one may give way to another
     bool told = false;
     for (const Sample& sample : uav.samples) {
       const std::set<std::int64_t> open = open_goals(uav, sample.at);
       const bool idle = sample.airborne && uav.degree(sample.at) >= 4 && !open.empty() &&
-                        !occupied(uav, sample.at) && !does_by_hand(history, uav, sample.at) &&
-                        !history.was_away(name, sample.at, sample.at);
+                        !occupied(uav, sample.at) && !does_by_hand(history, uav, sample.at);
+      if (!idle || history.was_away(name, sample.at, sample.at)) at_work.reset();
       if (!idle) {
         since.reset();
         meant.clear();
@@ -263,8 +263,9 @@ std::vector<Violation> idle_without_word(const History& history) {
         continue;
       }
       if (!since) since = sample.at;
+      if (!at_work) at_work = sample.at;
       meant.insert(open.begin(), open.end());
-      if (told || sample.at - *since < kPause) continue;
+      if (told || sample.at - *at_work < kPause) continue;
       told = true;
       if (named(uav, meant, *since - kPause, sample.at)) continue;
       result.push_back({"", *since, name, *open.begin(),
