@@ -118,10 +118,11 @@ class Host {
                                                          blackboard::Transport& transport,
                                                          const HostConfig& config, HostPorts ports);
 
-  /// Gives the node its Started input (Restarted in a life with memory), then what arrived before this call. Until then the
-  /// blackboard works and peers are heard, but the node gets no input, nothing is logged and no
-  /// event is acknowledged: a runtime calls it once it knows the mission time. `first_life`: the
-  /// runtime knows of no life before (see Started); a memory that is not empty knows better.
+  /// Gives the node its Started input (Restarted in a life with memory), then what arrived before
+  /// this call. Until then the blackboard works and peers are heard, but the node gets no input,
+  /// nothing is logged and no event is acknowledged: a runtime calls it once it knows the mission
+  /// time. `first_life`: the runtime knows of no life before (see Started); a memory that is not
+  /// empty knows better.
   void start(blackboard::Now now, bool first_life = false);
   bool started() const { return started_; }
   /// Mission time of the last input of former lives; absent in the first life.
