@@ -208,7 +208,8 @@ std::string without_problem(const Scenario& scenario, const RunOptions& options)
 // refused.
 bool warn(const Scenario& scenario, std::ostream& err) {
   const Diagnostics refused = deliberation_setup::refused_missions(scenario);
-  for (const Diagnostics& found : {deliberation_setup::domain_warnings(scenario), refused})
+  for (const Diagnostics& found :
+       {scenario.warnings, deliberation_setup::domain_warnings(scenario), refused})
     for (const Diagnostic& one : found.all()) err << "warning: " << to_text(one) << '\n';
   return !refused.empty();
 }

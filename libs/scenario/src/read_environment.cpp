@@ -3,6 +3,7 @@
 // some of it here and some of it there.
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 #include "reading.hpp"
 #include "skein/config/parse.hpp"
@@ -137,11 +138,26 @@ void read_parts(const Sources& sources, Diagnostics& diagnostics, WorldSpec& wor
       world.volumes.push_back(world::read_volume(name, volume));
   }
   read_places(sources, world);
-  for (const auto& [name, object] : sources.named("objects"))
+  for (const auto& [name, object] : sources.named("objects")) {
     world.objects.push_back(read_object(name, object));
+    check_over_ground(object.optional("position"), world.objects.back().position, world.terrain);
+  }
 }
 
 }  // namespace
+
+void check_over_ground(const Reader& reader, const world::Vector2& point,
+                       const world::TerrainSpec& terrain) {
+  const auto within = [](double x, double least, double most) { return x >= least && x <= most; };
+  if (!reader.present() || !world::problems_of(terrain).empty()) return;
+  if (within(point.x(), terrain.west, terrain.east) &&
+      within(point.y(), terrain.south, terrain.north))
+    return;
+  std::ostringstream extent;
+  extent << terrain.west << " to " << terrain.east << " m east and " << terrain.south << " to "
+         << terrain.north << " m north of the origin";
+  reader.error("outside the terrain", extent.str());
+}
 
 void read_world(const Reader& reader, Diagnostics& diagnostics, WorldSpec& world) {
   if (!reader.keys(

@@ -37,6 +37,9 @@ inline constexpr const char* kTeamWanted = "team: {members: [UAV...]}";
 bool in_team(const Scenario& scenario, const std::string& uav);
 
 void read_world(const config::Reader& reader, Diagnostics& diagnostics, WorldSpec& world);
+/// An error at `reader` if `point` is not over the ground of the world.
+void check_over_ground(const config::Reader& reader, const world::Vector2& point,
+                       const world::TerrainSpec& terrain);
 void read_uavs(const config::Reader& reader, const std::string& folder, Diagnostics& diagnostics,
                std::vector<UavSpec>& uavs);
 /// The DDS vendor of the nodes: one for all, or one for each named node.

@@ -10,6 +10,7 @@
 
 #include "reading.hpp"
 #include "skein/config/parse.hpp"
+#include "skein/foundation/nearest.hpp"
 
 namespace skein::scenario {
 
@@ -67,6 +68,26 @@ void weigh_devices(const Reader& uavs, Scenario& scenario) {
   }
 }
 
+/// Sensors see nothing of kinds that are misspelt, here or at the object. A model has kinds of
+/// other missions too: of those that are like no object's nothing is said.
+void warn_of_kinds(const Reader& uavs, const Scenario& scenario) {
+  std::vector<std::string> kinds;
+  for (const world::WorldObject& object : scenario.world.objects) kinds.push_back(object.kind);
+  for (const UavSpec& uav : scenario.uavs) {
+    for (const world::SensorModel& sensor : uav.model.sensors) {
+      for (const auto& [kind, response] : sensor.responses) {
+        if (std::ranges::find(kinds, kind) != kinds.end()) continue;
+        const std::string nearest = nearest_name(kind, kinds);
+        if (nearest.empty() || sensor.responses.contains(nearest)) continue;
+        uavs.optional(uav.name).optional("model").error(
+            "'" + sensor.device + "' sees '" + kind +
+                "', of which kind no object is, and none of '" + nearest + "'",
+            "", nearest);
+      }
+    }
+  }
+}
+
 // ISO 8601 in UTC, to the second: 2005-05-19T09:00:00Z.
 void read_epoch(const Reader& reader, std::string& epoch) {
   epoch = reader.text();
@@ -79,6 +100,11 @@ void read_epoch(const Reader& reader, std::string& epoch) {
       std::chrono::day(static_cast<unsigned>(parts.tm_mday))};
   if (epoch.empty() || (text && epoch.size() == 20 && date.ok() && parts.tm_sec < 60)) return;
   reader.error("'" + epoch + "'", "an instant in UTC such as 2005-05-19T09:00:00Z");
+}
+
+void check_starts(const Reader& uavs, const Scenario& scenario) {
+  for (const UavSpec& uav : scenario.uavs)
+    check_over_ground(uavs.optional(uav.name).optional("start"), uav.start, scenario.world.terrain);
 }
 
 void check_degrees(const Reader& uavs, const Scenario& scenario) {
@@ -130,6 +156,7 @@ void read_all(const Reader& reader, const std::string& folder, Diagnostics& diag
   scenario.interaction = read_interaction(reader.optional("interaction"), folder, diagnostics);
   scenario.team = read_team(reader.optional("team"), names, scenario.radio, scenario.seed);
   scenario.separation = read_separation(reader.optional("separation"));
+  check_starts(reader.required("uavs"), scenario);
   check_degrees(reader.required("uavs"), scenario);
   read_ground(reader.required("ground"), scenario);
   if (scenario.planning)
@@ -193,6 +220,7 @@ Result<Scenario, Diagnostics> read_document(const Result<config::Value, Diagnost
   const std::string folder = std::filesystem::path(path).parent_path().string();
   read_all(Reader(*document, path, diagnostics), folder, diagnostics, scenario);
   if (!diagnostics.empty()) return tl::unexpected(std::move(diagnostics));
+  warn_of_kinds(Reader(*document, path, scenario.warnings).optional("uavs"), scenario);
   return scenario;
 }
 

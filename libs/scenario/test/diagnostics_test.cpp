@@ -345,6 +345,33 @@ SKEIN_WRONG_FILES(
           "{name: flies, measure: energy-left, at_least: 0.5, at_most: 0.4}",
           "34:5: expect[0]: no figure is within these bounds\n"});
 
+SKEIN_WRONG_FILES(
+    Extent,
+    Wrong{"StartOutsideTheTerrain", "start: [10, 0]", "start: [9000, 0]",
+          "14:44: uavs.heliv.start: outside the terrain; expected -500 to 500 m east and -500 to "
+          "500 m north of the origin\n"},
+    Wrong{"StartOnItsBorder", "start: [10, 0]", "start: [500, -500]", ""},
+    Wrong{
+        "ObjectOutsideTheTerrain", "position: [100, 50]", "position: [100, -501]",
+        "11:34: world.objects.fire.position: outside the terrain; expected -500 to 500 m east and "
+        "-500 to 500 m north of the origin\n"});
+
+TEST(DoubtfulFiles, AKindThatNoObjectHasIsWarnedOfWithTheNearest) {
+  const auto warnings_of = [](const std::string& piece, const std::string& instead) {
+    return to_text(testing::read_valid(scenario_with(piece, instead)).warnings);
+  };
+
+  const std::string warnings = warnings_of("kind: fire", "kind: fier");
+
+  EXPECT_NE(
+      warnings.find("small.yaml:13:19: uavs.marvin.model: 'fire-sensor' sees 'fire', of which "
+                    "kind no object is, and none of 'fier'; did you mean 'fier'?"),
+      std::string::npos)
+      << warnings;
+  EXPECT_EQ(warnings_of("kind: fire", "kind: fire"), "");
+  EXPECT_EQ(warnings_of("kind: fire", "kind: sheep"), "") << "of another mission";
+}
+
 TEST(WrongFiles, AllErrorsOfAFileAreToldAtOnce) {
   std::string text = scenario_with("degree: 2", "degree: 7");
   const auto put = [&](const std::string& piece, const std::string& instead) {

@@ -238,6 +238,8 @@ struct Scenario {
   std::optional<SeparationSpec> separation;  ///< absent: neither judged nor enforced
   Variations variations;
   std::vector<Expectation> expectations;
+  /// What is no error and yet hardly meant, for who wrote the file; not a part of what it says.
+  Diagnostics warnings = {};
 
   std::vector<std::string> uav_names() const;
   /// Node of the functional layer, by UAV, for UAVs that do not use the simulator.
