@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "planning/domain_book.hpp"
 
+#include "skein/supervisor/domain_warnings.hpp"
+
 namespace skein::supervisor {
 
 namespace {
@@ -25,6 +27,8 @@ DomainBook::DomainBook(const DomainText& text, const htn::Functions& functions) 
     errors_.add(about(text.file,
                       std::to_string(definitions_.domains.size()) + " planning domains in it",
                       "one (defdomain NAME (…))"));
+    // Read again for what was left out: (defdomian …).
+    if (definitions_.domains.empty()) errors_.append(warnings_of(text));
     return;
   }
   domain_ = htn::Domain::compile(definitions_.domains.front(), definitions_.functions, functions,

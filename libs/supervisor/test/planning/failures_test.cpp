@@ -269,6 +269,14 @@ TEST(PlanningDomain, EveryErrorIsGivenAtOnceWithItsLine) {
                                 "'compute-gotoxyz'?"));
 }
 
+TEST(PlanningDomain, AMisspeltDefinitionIsNamedWithTheNearestForm) {
+  const std::string errors = errors_of("; a domain\n(defdomian d (\n  (:method (go) () ())\n))\n");
+
+  EXPECT_THAT(errors, HasSubstr("d.lisp: 0 planning domains in it"));
+  EXPECT_THAT(errors, HasSubstr("d.lisp:2:1: 'defdomian' defines nothing; expected a definition; "
+                                "did you mean 'defdomain'?"));
+}
+
 TEST(PlanningDomain, WhatIsSuspiciousIsAWarningAtItsLine) {
   EXPECT_EQ(
       to_text(warnings_of({"comets.lisp", testing::file_text("scenarios/domains/comets.lisp")})),
