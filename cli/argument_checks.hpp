@@ -36,6 +36,16 @@ inline std::string count_problem(const std::string& text) {
   return positive ? "" : "'" + text + "' is not a positive whole number";
 }
 
+/// Of ADDRESS:PORT, ADDRESS or PORT the port: what is wrong with the address is found out by who
+/// opens it. In time: who starts daemons would hear of it when one of them has ended.
+inline std::string port_problem(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos && text.find('.') != std::string::npos) return "";
+  const std::string port = colon == std::string::npos ? text : text.substr(colon + 1);
+  const bool good = port.empty() || (whole_problem(port).empty() && std::stoull(port) <= 65535);
+  return good ? "" : "'" + text + "': expected ADDRESS:PORT, with a port from 0 to 65535";
+}
+
 /// Megabytes: no machine has more than a million million.
 inline std::string megabytes_problem(const std::string& text) {
   const std::string problem = positive_problem(text);

@@ -91,8 +91,9 @@ void add_replay(CLI::App& app, Action& action, const Actions& actions) {
   auto options = std::make_shared<replay_tool::ReplayOptions>();
   CLI::App* replay = app.add_subcommand("replay", "A recorded run on the operators' page");
   replay->add_option("folder", options->folder, "Folder of a run (out/NAME)")->required();
-  replay->add_option("--console", options->console,
-                     "ADDRESS:PORT of the page (default: a free port)");
+  replay
+      ->add_option("--console", options->console, "ADDRESS:PORT of the page (default: a free port)")
+      ->check(port_problem);
   replay->add_option("--speed", options->speed, "Mission seconds per second, at the start")
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "argument_checks.hpp"
 #include "skein/run_tool/run.hpp"
 #include "when_chosen.hpp"
 
@@ -73,9 +74,11 @@ void add_run(CLI::App& app, Action& action, const Actions& actions) {
       ->allow_extra_args(false);
   run->add_option("--security", options->security,
                   "Folder made by make-keys: every node proves who it is");
-  run->add_option(
-      "--console", options->console,
-      "Serve the operators' page meanwhile: ADDRESS:PORT, or PORT of this machine alone");
+  run->add_option("--console", options->console,
+                  "Over DDS: serve the operators' page meanwhile: ADDRESS:PORT, or PORT of this "
+                  "machine alone")
+      ->check(port_problem)
+      ->excludes(in_virtual_time);
   run->add_option("--mavlink-out", options->mavlink_out,
                   "Over DDS: tell a MAVLink ground station where everybody is, "
                   "udp:127.0.0.1:14550 for instance")

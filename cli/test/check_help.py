@@ -71,6 +71,8 @@ WRONG_WORDS = {
     "run --virtul a.yaml": "there is no option '--virtul'; did you mean '--virtual'?",
     "operate --domain 5 taek marvin": "there is no command 'taek'; did you mean 'take'?",
     "operate --interface 10.0.0.1 10.0.0.2 take marvin --intrupt": "there is no option '--intrupt'; did you mean '--interrupt'?",
+    "run a.yaml --console 99999": "--console: '99999': expected ADDRESS:PORT, with a port from 0 to 65535",
+    "replay out/a --console 127.0.0.1:port": "--console: '127.0.0.1:port': expected ADDRESS:PORT, with a port from 0 to 65535",
     "spy ech": "there is no command 'ech'; did you mean 'echo'?",
 }
 

@@ -60,7 +60,7 @@ Result<void, Failure> read_address(std::string_view text, ConsoleConfig& config)
   if (port.empty()) return {};
   const auto [end, error] = std::from_chars(port.begin(), port.end(), config.port);
   if (error == std::errc() && end == port.end()) return {};
-  return failure("'" + std::string(text) + "': expected ADDRESS:PORT");
+  return failure("'" + std::string(text) + "': expected ADDRESS:PORT, with a port from 0 to 65535");
 }
 
 class Console::Impl {

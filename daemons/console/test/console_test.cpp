@@ -358,6 +358,15 @@ TEST(ConsoleAddress, IsAnAddressAPortOrBoth) {
   EXPECT_EQ(read("9000x"), "refused");
 }
 
+TEST(ConsoleAddress, OfNoPortIsRefusedWithTheRangeOfPorts) {
+  ConsoleConfig config;
+
+  const auto done = read_address("99999", config);
+
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().why, "'99999': expected ADDRESS:PORT, with a port from 0 to 65535");
+}
+
 TEST(ConsoleAddress, ThatIsTakenIsSaid) {
   ConsoleConfig config;
   config.port = 0;
