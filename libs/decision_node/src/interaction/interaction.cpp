@@ -116,6 +116,11 @@ const Interaction::Refusal* Interaction::refusal_of(const std::string& subject,
   return known == refusals_.end() ? nullptr : &known->second;
 }
 
+// They may have taken it back meanwhile, and that is yet to be told.
+void Interaction::resume() {
+  for (auto& [about, refusal] : refusals_) refusal.since = host_.bus().now();
+}
+
 std::optional<MissionTime> Interaction::engaged_until(executive::TaskId task) const {
   std::optional<MissionTime> until;
   for (const executive::TaskId earlier : host_.joint_tasks_before(task)) {

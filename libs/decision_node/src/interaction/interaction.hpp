@@ -27,6 +27,8 @@ class Interaction final : public Component {
 
   /// To be called first: promises made in an earlier life of the node are not known.
   void start();
+  /// Nothing was heard until now, as after a restart.
+  void resume();
   /// Operator 4: negotiates roles and start, then answers the supervisor.
   void load(const supervisor::LoadJointTask& asked);
   /// The executive starts a joint task, or interrupts it.

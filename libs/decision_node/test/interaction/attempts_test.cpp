@@ -8,6 +8,7 @@
 namespace skein::decision_node {
 namespace {
 
+using interaction::JointPhase;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -84,6 +85,48 @@ TEST_F(Attempts, WhoHasTakenNoPartSinceTheFirstIsNotWaitedForAnew) {
   ASSERT_THAT(host.not_loaded, SizeIs(1));
   load(8, 400);
   ASSERT_THAT(host.not_loaded, SizeIs(2));
+  EXPECT_EQ(host.not_loaded.back(), "'heliv' takes no part: no energy");
+}
+
+class Refused : public Attempts {
+ protected:
+  // At 10 s Heliv takes no part; this node is dead from 20 s to 300 s.
+  Refused() {
+    host.partners().contact({"heliv", false, true}, host.bus().now());
+    load(7, 900);
+    at(10);
+    heliv_is(JointPhase::kNotLoaded);
+    run(11, 20);
+    at(300);
+    interaction.resume();
+  }
+  void heliv_is(JointPhase phase) {
+    JointTaskTold told;
+    told.at = host.bus().now();
+    told.status.uav = "heliv";
+    told.status.subject = testing::joint().subject;
+    told.status.phase = phase;
+    told.status.why = "no energy";
+    interaction.hear(told);
+  }
+};
+
+// What Heliv said since is not read yet.
+TEST_F(Refused, BackAfterMinutesItDoesNotBelieveForGoodWhatItHeardBefore) {
+  run(300, 302);
+  ASSERT_THAT(host.not_loaded, IsEmpty());
+
+  heliv_is(JointPhase::kLoading);
+  run(302, 500);
+  EXPECT_THAT(host.not_loaded, IsEmpty());
+}
+
+TEST_F(Refused, WhoSaysNothingElseTakesNoPartThenEither) {
+  run(300, 359);
+  ASSERT_THAT(host.not_loaded, IsEmpty());
+
+  run(359, 400);
+  ASSERT_THAT(host.not_loaded, SizeIs(1));
   EXPECT_EQ(host.not_loaded.back(), "'heliv' takes no part: no energy");
 }
 
