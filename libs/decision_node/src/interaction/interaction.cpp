@@ -94,9 +94,7 @@ void Interaction::forget_what_is_over() {
   std::set<std::string> subjects;
   for (const auto& [id, task] : tasks_) subjects.insert(task->asked().subject);
   strange_.forget(subjects, kForgotten);
-  std::erase_if(refusals_, [&](const auto& one) {
-    return !subjects.contains(one.first.first) && one.second.since + kForgotten <= now;
-  });
+  refusals_.forget(subjects, kForgotten, now);
 }
 
 // What was loaded has told its partners.
@@ -110,16 +108,7 @@ void Interaction::given_up(const mission::HighLevelTask& goal, const std::string
   if (joint && std::ranges::none_of(tasks_, is_it)) strange_.decline(*joint, why);
 }
 
-const Interaction::Refusal* Interaction::refusal_of(const std::string& subject,
-                                                    const std::string& uav) const {
-  const auto known = refusals_.find({subject, uav});
-  return known == refusals_.end() ? nullptr : &known->second;
-}
-
-// They may have taken it back meanwhile, and that is yet to be told.
-void Interaction::resume() {
-  for (auto& [about, refusal] : refusals_) refusal.since = host_.bus().now();
-}
+void Interaction::resume() { refusals_.resume(host_.bus().now()); }
 
 std::optional<MissionTime> Interaction::engaged_until(executive::TaskId task) const {
   std::optional<MissionTime> until;
@@ -232,20 +221,14 @@ void Interaction::hear(const PartnerSeen& seen) { sightings_.see(seen.telemetry)
 
 void Interaction::hear(const JointTaskTold& told) {
   using interaction::JointPhase;
-  const std::pair about{told.status.subject, told.status.uav};
-  const JointPhase phase = told.status.phase;
-  if (phase != JointPhase::kNotLoaded && phase != JointPhase::kAborted) {
-    refusals_.erase(about);
-  } else {
-    refusals_.try_emplace(about, Refusal{host_.bus().now(), {}}).first->second.why =
-        told.status.why;
-  }
+  refusals_.hear(told.status, host_.bus().now());
   bool known = false;
   for (const auto& [id, task] : tasks_) {
     if (task->joint().subject != told.status.subject) continue;
     known = true;
     task->partner_told(told.status, told.at);
   }
+  const JointPhase phase = told.status.phase;
   const bool counts_on_me = (phase == JointPhase::kLoaded || phase == JointPhase::kRunning) &&
                             told.status.holders.contains(host_.config().uav);
   if (!known && counts_on_me) strange_.disown(told.status);

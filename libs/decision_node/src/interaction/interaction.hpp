@@ -13,6 +13,7 @@
 #include "interaction/aborts.hpp"
 #include "interaction/joint_host.hpp"
 #include "interaction/joint_task.hpp"
+#include "interaction/partner_refusals.hpp"
 #include "interaction/sightings.hpp"
 #include "interaction/strange_requests.hpp"
 #include "skein/foundation/rising.hpp"
@@ -62,13 +63,7 @@ class Interaction final : public Component {
   bool begin(const Joint& joint, interaction::BeginNegotiation negotiation);
   void withdraw(const std::string& subject, const std::string& why);
   Partners& partners() { return host_.partners(); }
-  /// What a UAV said last of a joint task: that it takes no part, or not any more.
-  struct Refusal {
-    MissionTime since;
-    std::string why;
-  };
-  /// Null: it has not said so, says something else since, or it is long over.
-  const Refusal* refusal_of(const std::string& subject, const std::string& uav) const;
+  const PartnerRefusals& refusals() const { return refusals_; }
   /// What partners ask for that is not asked for here.
   const StrangeRequests& strange() const { return strange_; }
   /// Until when at most this UAV waits for joint tasks that come before this one in its plan and
@@ -100,7 +95,7 @@ class Interaction final : public Component {
   Sightings sightings_;
   std::optional<interaction::NegotiationManager> manager_;
   std::map<executive::TaskId, std::unique_ptr<JointTask>> tasks_;
-  std::map<std::pair<std::string, std::string>, Refusal> refusals_;  ///< by subject and UAV
+  PartnerRefusals refusals_;
   StrangeRequests strange_;
   std::map<executive::TaskId, world::Vector3> flights_;  ///< of roles, under way, and from where
   Aborts aborts_;

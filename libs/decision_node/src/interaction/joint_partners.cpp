@@ -32,7 +32,7 @@ void JointTask::do_without_the_absent() {
   std::erase_if(there, [&](const std::string& uav) {
     if (uav == self_) return false;
     const auto since = interaction_.partners().silent_since(uav);
-    const Interaction::Refusal* refused = interaction_.refusal_of(asked_.subject, uav);
+    const auto* refused = interaction_.refusals().of(asked_.subject, uav);
     const bool stands =
         refused && std::max(refused->since, asked_at_) + Companions::kLostAfter <= now();
     if (stands) why = "'" + uav + "' takes no part: " + refused->why;

@@ -33,7 +33,7 @@ class Refusals : public ::testing::Test {
     interaction.hear(told);
   }
   bool is_known(const std::string& joint) const {
-    return interaction.refusal_of(joint, "heliv") != nullptr;
+    return interaction.refusals().of(joint, "heliv") != nullptr;
   }
 
   testing::LoneJointHost host;
