@@ -55,6 +55,13 @@ inline std::string megabytes_problem(const std::string& text) {
   return fits ? "" : "'" + text + "' is more than 1e12 MB";
 }
 
+/// NAME=S, with a finite number.
+inline std::string named_number_problem(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos) return "'" + text + "': expected NAME=S";
+  return finite_problem(text.substr(equals + 1));
+}
+
 /// Of all options of whole numbers from 0, of whatever command: CLI11 reads "-3" as 2^64 - 3.
 inline void refuse_below_zero(CLI::App& app) {
   const auto problem = [](const std::string& text) {

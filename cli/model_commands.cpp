@@ -34,6 +34,17 @@ void add_run(CLI::App* model, Action& action, const Actions& actions) {
       ->required();
   command->add_option("trace", options->input_name, "JSON lines (default: standard input)");
   command->add_option("--role", options->role, "Which role of a library")->type_name("NAME");
+  const auto set = [&seconds = options->set](const std::vector<std::string>& all) {
+    for (const std::string& one : all) {
+      const std::size_t equals = one.find('=');
+      seconds[one.substr(0, equals)] = std::stod(one.substr(equals + 1));
+    }
+  };
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--set", set, "Seconds of a parameter that conditions on time name")
+      ->type_name("NAME=S")
+      ->check(named_number_problem);
   add_seconds(*command, "--until", options->until, "Play on up to this instant [s]")
       ->check(finite_problem);
   when_chosen(command, options, action, actions);

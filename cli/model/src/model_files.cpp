@@ -97,8 +97,13 @@ int draw_models(const DrawOptions& options, std::ostream& out, std::ostream& err
     err << to_text(loaded.error());
     return kExitBadInput;
   }
+  const auto& library = loaded->library;
+  if (loaded->automata.empty() && library.models.empty() && library.roles.empty()) {
+    err << options.file << ": nothing to draw: no models, roles or automaton in it\n";
+    return kExitBadInput;
+  }
   const std::string svg = loaded->automata.empty()
-                              ? interaction::draw_svg(loaded->library)
+                              ? interaction::draw_svg(library)
                               : interaction::draw_svg(loaded->automata.front(), options.file);
   if (options.output.empty() || options.output == "-") {
     out << svg;

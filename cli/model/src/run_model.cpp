@@ -9,6 +9,7 @@
 #include "skein/config/parse.hpp"
 #include "skein/config/reader.hpp"
 #include "skein/foundation/exit_code.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/interaction/engine.hpp"
 #include "skein/interaction/read_automaton.hpp"
 #include "skein/model_tool/load_models.hpp"
@@ -50,6 +51,22 @@ Result<Automaton, Diagnostics> role_of(const RunOptions& options) {
   for (const auto& [name, one] : roles) names += (names.empty() ? "" : ", ") + name;
   return wrong(options.automaton, role.empty() ? "several roles" : "unknown role '" + role + "'",
                "--role with one of " + names);
+}
+
+// Conditions that name parameters get their seconds.
+Result<Automaton, Diagnostics> with_set(Automaton automaton, const RunOptions& options) {
+  const std::set<std::string> named = named_times(automaton);
+  const std::string names = joined({named.begin(), named.end()}, ", ");
+  for (const auto& [name, seconds] : options.set) {
+    if (!named.contains(name))
+      return wrong(options.automaton, "no condition on time names '" + name + "'",
+                   named.empty() ? "no --set" : "--set with one of " + names);
+  }
+  automaton = with_times(std::move(automaton), options.set);
+  for (const std::string& name : named_times(automaton))
+    return wrong(options.automaton, "a condition names the parameter '" + name + "'",
+                 "--set " + name + "=SECONDS");
+  return automaton;
 }
 
 // A file that is one block, or a role of a library.
@@ -113,6 +130,7 @@ class Play {
 
 int run_model(const RunOptions& options, std::istream& in, std::ostream& out, std::ostream& err) {
   auto automaton = automaton_of(options);
+  if (automaton) automaton = with_set(std::move(*automaton), options);
   if (!automaton) {
     err << to_text(automaton.error());
     return kExitBadInput;

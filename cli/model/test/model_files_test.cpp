@@ -145,5 +145,14 @@ TEST_F(ModelFiles, AnAutomatonIsCheckedAndDrawnByItself) {
   EXPECT_EQ(draw_models({right, (folder_ / "no/where.svg").string()}, out, err), 3);
 }
 
+TEST_F(ModelFiles, WithoutModelsAndRolesThereIsNothingToDraw) {
+  std::ostringstream out, err;
+
+  EXPECT_EQ(draw_models({write("words.yaml", "tasks: {go: {}}"), ""}, out, err), 2);
+  EXPECT_THAT(err.str(),
+              HasSubstr("words.yaml: nothing to draw: no models, roles or automaton in it"));
+  EXPECT_EQ(out.str(), "");
+}
+
 }  // namespace
 }  // namespace skein::model_tool

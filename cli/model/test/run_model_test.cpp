@@ -78,6 +78,40 @@ TEST_F(RunModel, PlaysARoleOfALibraryAsItsVariantSays) {
   EXPECT_EQ(out.str(), content(kShared / "r1-effects.jsonl"));
 }
 
+class RunModelOfEscorts : public RunModel {
+ protected:
+  Ran escort(std::map<std::string, double> set) {
+    RunOptions options;
+    options.automaton = SKEIN_SOURCE_DIR "/scenarios/models/interaction/escorting.yaml";
+    options.set = std::move(set);
+    options.until = MissionTime::seconds(1000);
+    std::istringstream in(R"({"at":0,"start":true}
+{"at":20,"status":{"componel":"ac71","state":"ended"}}
+{"at":30,"status":{"componel":"t71","state":"running"}}
+)");
+    std::ostringstream out, err;
+    const int code = run_model(options, in, out, err);
+    return {code, out.str(), err.str()};
+  }
+};
+
+TEST_F(RunModelOfEscorts, ItFollowsForAsLongAsAsked) {
+  EXPECT_NE(escort({{"duration", 100}}).out.find(R"({"at": 130, "interrupt": "t71"})"),
+            std::string::npos);
+  EXPECT_NE(escort({{"duration", 600}}).out.find(R"({"at": 630, "interrupt": "t71"})"),
+            std::string::npos);
+}
+
+TEST_F(RunModelOfEscorts, SecondsThatAreNotSaidOrNotAskedForAreNamed) {
+  const Ran without = escort({});
+  EXPECT_EQ(without.code, 2);
+  EXPECT_THAT(without.err, ::testing::HasSubstr("a condition names the parameter 'duration'; "
+                                                "expected --set duration=SECONDS"));
+  EXPECT_THAT(escort({{"length", 5}}).err,
+              ::testing::HasSubstr("no condition on time names 'length'; expected --set with one "
+                                   "of duration"));
+}
+
 // Spec 7.7: an invitation is answered each time, a violation leads to a valid position, and when
 // all have done their part it flies back.
 TEST_F(RunModel, TheRelayAnswersMovesAndComesBack) {

@@ -27,8 +27,9 @@ void Series::add(const Case& what, const Verdict& verdict) {
 void print(std::ostream& out, const Series& series, std::size_t examples) {
   out << series.missions << " missions, " << static_cast<long>(series.flown / 3600) << " h; "
       << series.goals << " goals, " << series.achieved << " achieved, " << series.failed
-      << " failed; least distance in the air " << series.nearest << " m; " << series.broken
-      << " missions break a law\n";
+      << " failed; ";
+  if (series.nearest >= 0) out << "least distance in the air " << series.nearest << " m; ";
+  out << series.broken << " missions break a law\n";
   for (const auto& [law, row] : series.rows) {
     out << law << std::string(law.size() < 16 ? 16 - law.size() : 1, ' ') << row.missions
         << " missions, " << row.violations << " times:";

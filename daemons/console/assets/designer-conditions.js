@@ -11,7 +11,7 @@ function literalText(literal) {
   const effect = literal?.effect ? ` → ${text(literal.effect)}` : "";
   if (literal && "componel" in literal) return `${not}${text(literal.componel)} ${text(literal.state)}${optional}${effect}`;
   if (literal && "message" in literal) return `${not}“${text(literal.message)}”${optional}${effect}`;
-  if (literal && "time" in literal) return `${not}${text(literal.time)} s since ${text(literal.since) || "epoch"} ${text(literal.is)}${optional}${effect}`;
+  if (literal && "time" in literal) return `${not}${text(literal.time)}${isNaN(text(literal.time)) ? "" : " s"} since ${text(literal.since) || "epoch"} ${text(literal.is)}${optional}${effect}`;
   return "?";
 }
 
@@ -47,7 +47,7 @@ export function editor(formula, {isExit, isLoop, ids, messages, change, name}) {
       kind === "componel" && choose(text(literal.componel), ids, (value) => to({componel: value})),
       kind === "componel" && choose(text(literal.state), states, (value) => to({state: value})),
       kind === "message" && el("input", {value: text(literal.message), size: 14, "aria-label": "message", list: "messages", onchange: (event) => to({message: quoted(event.target.value)})}),
-      kind === "time" && el("input", {value: text(literal.time), size: 4, "aria-label": "seconds", onchange: (event) => to({time: event.target.value})}),
+      kind === "time" && el("input", {value: text(literal.time), size: 8, "aria-label": "seconds, or a parameter of type Time", onchange: (event) => to({time: event.target.value})}),
       kind === "time" && el("input", {value: text(literal.since) || "epoch", size: 9, "aria-label": "since", onchange: (event) => to({since: quoted(event.target.value)})}),
       kind === "time" && choose(text(literal.is), ["passed", "not-yet-passed"], (value) => to({is: value})),
       isExit && isLoop && choose(text(literal.effect) || "exit", ["exit", "continue"], (value) => to({effect: value === "exit" ? undefined : value})),

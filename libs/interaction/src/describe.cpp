@@ -16,14 +16,14 @@ std::string number_text(double value) {
 }
 
 std::string instant_text(const TimeIs& is, const Automaton& automaton) {
-  return std::visit(
-      Overloaded{[&](TimeIs::Epoch) { return to_text(is.after) + " s"; },
-                 [&](TimeIs::ModelStart) { return to_text(is.after) + " s after the start"; },
-                 [&](const TimeIs::Event& event) {
-                   return to_text(is.after) + " s after " + automaton[event.componel].id + " " +
-                          std::string(to_text(event.state));
-                 }},
-      is.since);
+  const std::string after = is.named.empty() ? to_text(is.after) + " s" : is.named;
+  return std::visit(Overloaded{[&](TimeIs::Epoch) { return after; },
+                               [&](TimeIs::ModelStart) { return after + " after the start"; },
+                               [&](const TimeIs::Event& event) {
+                                 return after + " after " + automaton[event.componel].id + " " +
+                                        std::string(to_text(event.state));
+                               }},
+                    is.since);
 }
 
 /// Terms of an SCM as an instance gives them.

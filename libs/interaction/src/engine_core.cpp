@@ -272,7 +272,9 @@ void Engine::Core::abort_model(std::string why) {
 // --- the facade ----------------------------------------------------------------------------------
 
 Engine::Engine(std::shared_ptr<const Automaton> automaton)
-    : core_(std::make_unique<Core>(std::move(automaton))) {}
+    : core_(std::make_unique<Core>(std::move(automaton))) {
+  SKEIN_EXPECTS(named_times(core_->automaton()).empty());
+}
 Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;

@@ -167,6 +167,7 @@ class Meaning {
   void put(const TimeIs& is) {
     print_.put(number_of(is.after.count())).put(std::uint64_t{is.since.index()});
     print_.put(std::uint64_t{is.passed});
+    if (!is.named.empty()) print_.put(is.named);
     if (const auto* event = std::get_if<TimeIs::Event>(&is.since)) {
       put(ComponelIs{event->componel, event->state});
     }

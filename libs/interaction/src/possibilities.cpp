@@ -45,7 +45,7 @@ bool Possibilities::may_hold(const Literal& literal, Watch where) const {
     return !passed || reaches(event->componel, event->state);
   }
   const bool at_start = std::holds_alternative<TimeIs::ModelStart>(time->since);
-  return passed || !at_start || time->after > Duration();
+  return passed || !at_start || !time->named.empty() || time->after > Duration();
 }
 
 bool Possibilities::may_hold(Watch where) const {
@@ -81,7 +81,7 @@ bool exclude_each_other(const Literal& a, const Literal& b) {
   const auto* early = std::get_if<TimeIs>(&a.condition);
   const auto* late = std::get_if<TimeIs>(&b.condition);
   if (early == nullptr || late == nullptr || early->since != late->since) return false;
-  if (early->passed == late->passed) return false;
+  if (early->named != late->named || early->passed == late->passed) return false;
   if (early->passed) std::swap(early, late);
   return late->after >= early->after;  // passed, before another that has not
 }

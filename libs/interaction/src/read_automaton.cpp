@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/interaction/read_automaton.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <utility>
 #include <vector>
 
@@ -13,10 +15,10 @@ namespace {
 
 using config::Reader;
 
-constexpr double kLatest = 9.2e9;  // [s], just inside the 64-bit range of nanoseconds
-
 class AutomatonReader {
  public:
+  explicit AutomatonReader(const std::vector<std::string>& times) : times_(times) {}
+
   Automaton read(const Reader& main_block) {
     if (!main_block.present()) main_block.error("no automaton", "a block");
     if (main_block.optional("task").present() || main_block.optional("action").present()) {
@@ -166,10 +168,22 @@ class AutomatonReader {
     }
     reader.keys({"time", "since", "is", "not", "modality", "effect"});
     TimeIs is;
-    is.after = Duration::seconds(time.number(0, {-kLatest, kLatest, "s"}));
+    read_after(time, is);
     is.since = read_since(reader.optional("since"));
     is.passed = reader.required("is").choice({"passed", "not-yet-passed"}) == 0;
     return is;
+  }
+
+  void read_after(const Reader& time, TimeIs& is) const {
+    const std::string word = time.is_scalar() ? time.text() : "";
+    if (std::ranges::find(times_, word) != times_.end()) {
+      is.named = word;
+    } else if (!times_.empty() && !word.empty() && std::isalpha(word[0] & 0x7f) != 0) {
+      time.error("'" + word + "' is no time", "seconds, or a parameter of the role of type Time",
+                 nearest_name(word, times_));
+    } else {
+      is.after = Duration::seconds(time.number(0, {-kLatestTime, kLatestTime, "s"}));
+    }
   }
 
   decltype(TimeIs::since) read_since(const Reader& reader) {
@@ -212,14 +226,15 @@ class AutomatonReader {
                                                 AskedState::kAborting,  AskedState::kAborted,
                                                 AskedState::kEnded,     AskedState::kOver};
 
+  const std::vector<std::string>& times_;
   Automaton automaton_;
   std::vector<std::pair<ComponelIndex, Reader>> blocks_;
 };
 
 }  // namespace
 
-Automaton read_automaton(const config::Reader& main_block) {
-  return AutomatonReader().read(main_block);
+Automaton read_automaton(const config::Reader& main_block, const std::vector<std::string>& times) {
+  return AutomatonReader(times).read(main_block);
 }
 
 Result<Automaton, Diagnostics> read_automaton(std::string_view text, const std::string& file) {

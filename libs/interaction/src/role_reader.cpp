@@ -160,6 +160,13 @@ class RoleChecker {
   const Library& library_;
 };
 
+std::vector<std::string> times_among(const Parameters& parameters) {
+  std::vector<std::string> names;
+  for (const Parameter& one : parameters)
+    if (one.type == ParameterType::kTime) names.push_back(one.name);
+  return names;
+}
+
 }  // namespace
 
 Role read_role(const std::string& name, const Reader& reader, const Library& library,
@@ -172,7 +179,7 @@ Role read_role(const std::string& name, const Reader& reader, const Library& lib
   const Reader automaton = reader.required("automaton");
   if (!automaton.present()) return role;
   const std::size_t before = problems.size();
-  role.automaton = read_automaton(automaton);
+  role.automaton = read_automaton(automaton, times_among(role.parameters));
   const bool sound = problems.size() == before;
   RoleChecker(library).check(automaton, role.parameters);
   // Only an automaton of sound form can be asked what it does.

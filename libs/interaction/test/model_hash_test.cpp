@@ -41,6 +41,15 @@ TEST_P(ModelHashOfAnother, IsAnother) {
   EXPECT_NE(hash_with(GetParam().old, GetParam().put).value, hash_of_text(small_library()).value);
 }
 
+TEST(ModelHash, TellsSecondsFromThoseThatAParameterSays) {
+  const auto hash_until = [](const std::string& time) {
+    return hash_with("pre: [[{componel: l1, state: ended}]]",
+                     "pre: [[{time: " + time + ", is: passed}]]")
+        .value;
+  };
+  EXPECT_NE(hash_until("0"), hash_until("span"));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     HoweverWritten, ModelHashOfTheSame,
     ::testing::Values(Change{"roles:\n", "\n# what they do\nroles:   # all\n"},

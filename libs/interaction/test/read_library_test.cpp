@@ -15,6 +15,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using testing::library_of;
 using testing::small_library;
 
@@ -45,6 +46,20 @@ TEST(ReadLibrary, ReadsRolesScmsAndModels) {
 
 TEST(ReadLibrary, AnObjMayStandForAPoint) {
   EXPECT_EQ(errors_of("home: base, span", "home: what, span"), "");
+}
+
+TEST(ReadLibrary, AConditionOnTimeMayNameAParameterOfTheRole) {
+  const auto library = library_of(small_library(
+      "{block: l4, end: immediate,",
+      "{block: l4, end: immediate, exit: [[{time: span, since: \"l5:running\", is: passed}]],"));
+
+  ASSERT_TRUE(library) << to_text(library.error());
+  const Automaton& looker = library->roles.at("looker").automaton;
+  EXPECT_THAT(named_times(looker), ElementsAre("span"));
+  const Automaton timed = with_times(looker, {{"span", 90}, {"home", 4}});
+  EXPECT_THAT(named_times(timed), IsEmpty());
+  const auto& exit = timed[*timed.find("l4")].block()->exit;
+  EXPECT_EQ(std::get<TimeIs>(exit[0][0].condition).after, Duration::seconds(90));
 }
 
 TEST(ReadLibrary, TheBlocksOfARoleHoldWhatTheTableSays) {
@@ -118,6 +133,12 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"Place", "place: looker, most", "place: nobody, most", "unknown place 'nobody'"},
         Wrong{"ScmParameter", "most: 100}", "most: 100, least: 5}",
               "'near' has no parameter 'least'"},
+        Wrong{"TimeOfCondition", "pre: [[{componel: l1, state: ended}]]",
+              "pre: [[{time: spam, is: passed}]]",
+              "'spam' is no time; expected seconds, or a parameter of the role of type Time; did "
+              "you mean 'span'?"},
+        Wrong{"TimeOfConditionThatIsAPlace", "pre: [[{componel: l1, state: ended}]]",
+              "pre: [[{time: home, is: passed}]]", "'home' is no time"},
         Wrong{"Key", "needs:", "neds:", "unknown key 'neds'"}),
     [](const auto& one) { return one.param.what; });
 
@@ -174,6 +195,9 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"ScmNowhere", "close: {helper: [h0]}", "close: {helper: []}",
               "the SCM 'close' holds nowhere"},
         Wrong{"Block", "{componel: l1, state: ended}", "{componel: l4, state: ended}",
+              "the block 'l4' can never be activated"},
+        Wrong{"NamedTimesThatExclude", "pre: [[{componel: l1, state: ended}]]",
+              "pre: [[{time: span, is: passed}], [{time: span, is: not-yet-passed}]]",
               "the block 'l4' can never be activated"},
         Wrong{"Loop", "{block: h0,", "{block: h0, type: loop,", "the loop 'h0' has no way out"}),
     [](const auto& one) { return one.param.what; });

@@ -59,8 +59,8 @@ double last_told(const History& history, const std::string& uav, double at) {
   return history.joint.last_reached("ground", uav, relays, at, kTelling);
 }
 
-/// Where a name of a constraint is in truth, or for all that the UAV may know; what was given under
-/// the ground is on it.
+}  // namespace
+
 std::optional<world::Vector3> where(const History& history, const std::string& name,
                                     const std::string& uav, double at) {
   if (const auto moving = history.uavs.find(name); moving != history.uavs.end()) {
@@ -84,6 +84,8 @@ std::optional<world::Vector3> where(const History& history, const std::string& n
   if (place) place->z() = std::max(place->z(), history.terrain.elevation(place->x(), place->y()));
   return place;
 }
+
+namespace {
 
 /// What a place of a constraint stands for: a UAV that holds a role, every other one, a point.
 std::vector<std::string> names_of(const History& history, const PlaceTold& told,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,6 +34,11 @@ std::map<std::string, std::string> arguments_of(const std::string& joint,
 
 /// What members looked at for a joint task.
 std::vector<Look> looks_for(const History& history, const std::string& joint);
+
+/// Where a UAV or a place is in truth, or for all that `uav` may know at that instant; what was
+/// given under the ground is on it. Absent: nobody can say, or it is being told.
+std::optional<world::Vector3> where(const History& history, const std::string& name,
+                                    const std::string& uav, double at);
 
 /// Violations of constraints between a distance and a number, among those that `told` names, at its
 /// position. `slack`: tolerance, since known positions of partners are a little old [m].

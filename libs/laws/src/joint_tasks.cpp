@@ -240,8 +240,8 @@ bool left_without_knowing(const JointHistory& history, const JointTold& aborted,
   });
   if (left == aborted.phases.end()) return false;
   const double end = ended.phases.back().at, done = done_for_others(history, ended);
-  const bool for_silence = left->why.starts_with("no contact with '" + ended.uav + "'") ||
-                           left->why.starts_with("contact lost: ");
+  const bool for_silence =
+      left->why.starts_with("no contact with '") || left->why.starts_with("contact lost: ");
   if (for_silence && left->at > done && history.cut_off(aborted.uav, ended.uav, done, left->at))
     return true;
   return left->at > end &&

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "checks.hpp"
+#include "following.hpp"
 #include "joint_places.hpp"
 
 namespace skein::laws {
@@ -211,14 +212,32 @@ std::size_t moves(const History& history) {
   return count;
 }
 
+/// How much of what is asked for may be missing: what moves is told, agreed on, interrupted [s].
+double reaction(const History& history) {
+  constexpr double kReaction = 25;  // [s] to each move
+  return kReaction * static_cast<double>(moves(history));
+}
+
+/// Whether a holder of the role left it since it heard nobody, as `uav` could not hear of.
+bool left_unheard(const History& history, const std::string& joint, const std::string& role,
+                  const std::string& uav) {
+  return std::ranges::any_of(history.joint.joints, [&](const JointTold& told) {
+    const auto left = std::ranges::find_if(told.phases, [&](const JointTold::Phase& phase) {
+      return phase.role == role && phase.why.starts_with("no contact with '");
+    });
+    return told.joint == joint && left != told.phases.end() &&
+           history.joint.cut_off(told.uav, uav, left->at, left->at);
+  });
+}
+
 std::string not_watched(const History& history, const std::string& joint,
-                        const interaction::Variant& variant) {
+                        const interaction::Variant& variant, const std::string& uav) {
   constexpr double kPart = 0.95, kSlack = 5;  // [s]
-  constexpr double kReaction = 25;            // [s] to what moves: told, agreed on, interrupted
-  const double moved = kReaction * static_cast<double>(moves(history));
+  const double moved = reaction(history);
   for (const Watch& watch : watches_of(history, joint, variant)) {
     const double seconds = seconds_watched(history, joint, watch, variant);
     if (seconds >= kPart * watch.seconds - kSlack - moved) continue;
+    if (left_unheard(history, joint, watch.role, uav)) continue;
     return "role " + watch.role + " perceived from where it may for " + figure(seconds) + " of " +
            figure(watch.seconds) + " s";
   }
@@ -261,7 +280,11 @@ std::vector<Violation> joint_tasks_not_done(const History& history) {
     if (variant == nullptr) return broken("it names no variant of its model");
     if (const auto why = roles_missing(history, told->joint, *variant); !why.empty()) broken(why);
     if (const auto why = not_mapped(history, told->joint, *variant); !why.empty()) broken(why);
-    if (const auto why = not_watched(history, told->joint, *variant); !why.empty()) broken(why);
+    if (const auto why = not_watched(history, told->joint, *variant, uav.name()); !why.empty())
+      broken(why);
+    if (const auto why = not_followed(history, told->joint, *variant, reaction(history));
+        !why.empty())
+      broken(why);
   });
   return result;
 }

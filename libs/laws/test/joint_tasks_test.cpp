@@ -169,6 +169,7 @@ TEST(JointLaws, WhoGivesUpHearingOfTheEndOverARadioThatIsDownIsNotApartFromThem)
   EXPECT_THAT(gives_up(35, 0), IsEmpty());
   EXPECT_THAT(gives_up(35, 120), IsEmpty());
   EXPECT_THAT(gives_up(35, 120, "contact lost: hold"), IsEmpty()) << "--partners 800036";
+  EXPECT_THAT(gives_up(35, 120, "no contact with 'another'"), IsEmpty()) << "--escorts 40";
   EXPECT_THAT(gives_up(35, 120, "no way"), SizeIs(1));
   EXPECT_THAT(gives_up(35, 90), ElementsAre(HasSubstr("has ended at marvin")));
   EXPECT_THAT(gives_up(60, 0), ElementsAre(HasSubstr("has ended at marvin")));

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kEscortsGiven = 15;       // by then most have their missions [s]
 constexpr double kLatestForEscorts = 700;  // of troubles [s]
-constexpr double kFollowed = 240;  // how long the roles of the shipped models follow what moves [s]
 constexpr int kGoalsOfOne = 1000;
 
 /// A shipped interaction model with the teams that it is for.
@@ -23,7 +22,7 @@ struct EscortModel {
   const char* file;
   std::size_t least, most;  ///< members
   bool by_ground;           ///< the ground station may play a role of it
-  bool follows;             ///< what moves is followed for kFollowed
+  bool follows;             ///< what moves is followed
 };
 constexpr std::array kEscortModels{EscortModel{"monitoring-around", 2, 4, false, false},
                                    EscortModel{"monitoring-by-chain", 2, 4, false, false},
@@ -105,7 +104,8 @@ class EscortDrawing {
                        "H: [0, 0, 0]"};
     std::vector<std::string> names;
     for (const Member& one : mission_.team) names.push_back(one.name);
-    const std::string length = model_.follows ? whole(kFollowed) : whole_between(random_, 20, 200);
+    const std::string length =
+        model_.follows ? whole_between(random_, 30, 420) : whole_between(random_, 20, 200);
     const bool pursuit = std::string(model_.file) == "vehicle-pursuit";
     joint_ = (pursuit ? "[vehicle-pursuit, T, H, " : "[monitoring-with-relay, T, B, H, ") + length +
              ", [" + joined(names, ", ") + "]]";

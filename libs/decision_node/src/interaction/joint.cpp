@@ -218,6 +218,13 @@ std::optional<Joint> among(const Joint& joint, const std::vector<std::string>& m
   return fewer;
 }
 
+std::map<std::string, double> numbers_of(const Arguments& arguments) {
+  std::map<std::string, double> numbers;
+  for (const auto& [name, value] : arguments)
+    if (const auto* number = std::get_if<double>(&value)) numbers[name] = *number;
+  return numbers;
+}
+
 Arguments arguments_of(const Joint& joint, const std::string& role) {
   Arguments result;
   const auto table = joint.variant->table.parameters.find(role);

@@ -66,6 +66,9 @@ std::optional<Joint> among(const Joint& joint, const std::vector<std::string>& m
 /// The values of the parameters of a role.
 Arguments arguments_of(const Joint& joint, const std::string& role);
 
+/// Those that are numbers: seconds of conditions on time that name them.
+std::map<std::string, double> numbers_of(const Arguments& arguments);
+
 /// The value of an expression of a role: a name in the scope, or a literal. Refused: unknown name.
 Result<Argument, Failure> value_of(const config::Value& expression, const Arguments& scope);
 

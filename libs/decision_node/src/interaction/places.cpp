@@ -248,6 +248,7 @@ class Walk {
         role_(joint.library->roles.at(role)),
         outlook_(outlook),
         scope_(arguments_of(joint, role)),
+        automaton_(with_times(role_.automaton, numbers_of(scope_))),
         at_(from),
         scms_(scms_of(
             joint, role, {}, outlook.knowledge.uav,
@@ -255,11 +256,11 @@ class Walk {
 
   Result<RoleCost, Failure> cost() {
     RoleCost all;
-    for (const interaction::NominalStep& step : nominal_path(role_.automaton)) {
+    for (const interaction::NominalStep& step : nominal_path(automaton_)) {
       for (const std::string& local : step.computed) {
         if (auto why = compute(local)) return failure(*why);
       }
-      const auto took = cost_of_task(*role_.automaton[*role_.automaton.find(step.task)].task());
+      const auto took = cost_of_task(automaton_[*automaton_.find(step.task)]);
       if (!took) return tl::unexpected(took.error());
       all.seconds += took->seconds;
       all.energy += took->energy;
@@ -308,8 +309,28 @@ class Walk {
     return RoleCost{seconds, drawn(vehicle.energy.cruise_power, seconds)};
   }
 
-  Result<RoleCost, Failure> cost_of_task(const interaction::Task& task) {
+  /// Until the time that ends a block around it.
+  RoleCost cost_of_following(const interaction::Componel& task) const {
+    std::optional<double> shortest;
+    for (const interaction::Componel* one = &task; &automaton_[one->parent] != one;) {
+      one = &automaton_[one->parent];
+      for (const interaction::Clause& clause : one->block()->exit) {
+        for (const interaction::Literal& literal : clause) {
+          const auto* time = std::get_if<interaction::TimeIs>(&literal.condition);
+          if (time == nullptr || !time->passed || literal.negated) continue;
+          if (std::holds_alternative<interaction::TimeIs::Epoch>(time->since)) continue;
+          const double seconds = std::max(time->after.to_seconds(), 0.0);
+          shortest = std::min(shortest.value_or(seconds), seconds);
+        }
+      }
+    }
+    return staying(shortest.value_or(0));
+  }
+
+  Result<RoleCost, Failure> cost_of_task(const interaction::Componel& componel) {
+    const interaction::Task& task = *componel.task();
     if (task.type == kMapArea) return cost_of_mapping(task);
+    if (task.type == kFollow) return cost_of_following(componel);
     if (const config::Value* duration = task.parameters.find("duration")) {
       const auto seconds = value_of(*duration, scope_);
       if (seconds && std::holds_alternative<double>(*seconds))
@@ -341,6 +362,7 @@ class Walk {
   const interaction::Role& role_;
   const Outlook& outlook_;
   Arguments scope_;
+  interaction::Automaton automaton_;  ///< of the role, with the seconds that the joint task says
   Position at_;
   std::vector<interaction::ActiveScm> scms_;
 };

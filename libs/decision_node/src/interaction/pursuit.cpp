@@ -13,6 +13,7 @@ namespace {
 using interaction::Position;
 
 constexpr double kBeside = 30;       // [m] of it, where the role says no place
+constexpr double kFarthest = 100;    // [m] beside it
 constexpr double kMoves = 10;        // [m] it moves before it is flown after
 constexpr double kAlreadyThere = 3;  // [m]
 
@@ -32,7 +33,8 @@ Position side_of(const Position& target, const Position& own) {
 Pursuit::Pursuit(const PlaySurroundings& of, RoleCourse& course)
     : host_(of.host), sightings_(of.sightings), my_(of.my), course_(course) {}
 
-// A place that the role gives is one beside where the target is now.
+// A place that the role gives is one beside where the target is now; one that is not beside it,
+// since nothing was agreed on or it has moved since, says nothing of where to follow it.
 void Pursuit::follow(const std::string& componel) {
   const RolePlay& play = course_.play();
   const interaction::Automaton& automaton = play.automaton();
@@ -50,7 +52,8 @@ void Pursuit::follow(const std::string& componel) {
   const config::Value* beside = task.parameters.find("beside");
   const auto place = beside == nullptr ? Result<Argument, Failure>(failure("none"))
                                        : value_of(*beside, play.scope());
-  if (const auto* at = place ? std::get_if<Position>(&*place) : nullptr) {
+  const auto* at = place ? std::get_if<Position>(&*place) : nullptr;
+  if (at != nullptr && level_between(*at, seen->position) <= kFarthest) {
     following.side = {(*at)[0] - seen->position[0], (*at)[1] - seen->position[1], 0};
     following.height = (*at)[2] - host_.world()->terrain.elevation((*at)[0], (*at)[1]);
   }

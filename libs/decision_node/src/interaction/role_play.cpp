@@ -50,7 +50,7 @@ RolePlay::RolePlay(const Joint& joint, std::string role, Holders holders, std::s
       self_(std::move(self)),
       scope_(arguments_of(joint, role_)),
       engine_(std::make_shared<const interaction::Automaton>(
-          automaton_in(*joint.library, *joint.variant, role_))) {}
+          with_times(automaton_in(*joint.library, *joint.variant, role_), numbers_of(scope_)))) {}
 
 Result<interaction::Effects, Failure> RolePlay::tell(const interaction::Input& input,
                                                      MissionTime now) {

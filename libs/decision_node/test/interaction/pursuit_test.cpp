@@ -44,6 +44,25 @@ TEST_F(CarPursuit, FliesToBesideTheTargetOnItsOwnSide) {
   EXPECT_FALSE(pursuit_.follows("sweep"));
 }
 
+TEST_F(CarPursuit, FliesToThePlaceBesideTheTargetThatItsRoleHas) {
+  course_.at(1);
+  car_at(100, 0);
+  course_.play().know("side", interaction::Position{100, 45, 45});
+  pursuit_.follow("flank");
+
+  EXPECT_NEAR((aim() - world::Vector3(100, 45, 45)).norm(), 0, 0.1);
+}
+
+// Found by random missions (--escorts 2, 60): nothing was agreed on, and it stayed where it was.
+TEST_F(CarPursuit, FliesToBesideTheTargetWhereItsRoleHasAPlaceFarFromThat) {
+  course_.at(1);
+  car_at(110, 0);
+  course_.play().know("side", interaction::Position{0, 0, 60});
+  pursuit_.follow("flank");
+
+  EXPECT_NEAR((aim() - world::Vector3(80, 0, 60)).norm(), 0, 0.1);
+}
+
 TEST_F(CarPursuit, FailsWhereNobodyKnowsTheTarget) {
   pursuit_.follow("pursue");
 

@@ -347,6 +347,54 @@ TEST(RoleGoto, WhereNobodyCouldLandBesideItAllComeToThePlaceItself) {
     EXPECT_EQ(place, world::Vector3(middle[0], middle[1], middle[2]));
 }
 
+// ---- as long as the joint task says ----
+
+/// Marvin follows the fire for so many seconds.
+Joint following(double seconds) {
+  auto library = std::make_shared<interaction::Library>(*testing::watching_library());
+  interaction::Automaton& role = library->roles.at("watch").automaton;
+  interaction::Componel& task = role[*role.find("w3")];
+  auto& parameters = std::get<interaction::Task>(task.what).parameters.entries;
+  std::erase_if(parameters, [](const auto& one) { return one.key == "duration"; });
+  std::get<interaction::Task>(task.what).type = kFollow;
+  role[*role.find("w12")].block()->exit = {{interaction::Literal{interaction::TimeIs{
+      {},
+      interaction::TimeIs::Event{*role.find("w3"), interaction::AskedState::kRunning},
+      true,
+      "duration"}}}};
+  return joint_of(testing::watching("marvin heliv", seconds), library, "marvin", {"heliv"}).value();
+}
+
+TEST(WhoFollows, DoesSoUntilTheSecondsArePastThatAParameterSays) {
+  const Joint joint = following(90);
+  RolePlay play(joint, "watch", {{"heliv", "relay"}, {"marvin", "watch"}}, "marvin");
+
+  ASSERT_TRUE(play.tell(interaction::Start{}, MissionTime::seconds(10)));
+  for (const std::string task : {"w1", "w2"}) {
+    for (const auto word : {Status::Word::kRunning, Status::Word::kEnded})
+      ASSERT_TRUE(play.tell(Status{task, word}, MissionTime::seconds(15)));
+  }
+  ASSERT_TRUE(play.tell(Status{"w3", Status::Word::kRunning}, MissionTime::seconds(20)));
+
+  EXPECT_EQ(play.next_wakeup(), MissionTime::seconds(110));
+}
+
+TEST(WhoFollows, CountsTheTimeAndEnergyOfIt) {
+  const Flat flat;
+  const Outlook outlook = flat.outlook([](const std::string&) {
+    return interaction::Sighting{{100, 0, 0}, MissionTime()};
+  });
+  const auto cost_for = [&](double seconds) {
+    return cost_of(following(seconds), "watch", {}, outlook).value();
+  };
+
+  const RoleCost less = cost_for(100), more = cost_for(400);
+
+  EXPECT_NEAR(more.seconds - less.seconds, 300, 1e-6);
+  EXPECT_NEAR(more.energy - less.energy, 300 * 1700 / 6.5e6, 1e-9);
+  EXPECT_GT(less.seconds, 100) << "and flies there";
+}
+
 // ---- where others stay ----
 
 TEST(PlaceOf, IsWhereOthersLeaveItAirToStayIn) {

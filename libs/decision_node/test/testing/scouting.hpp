@@ -34,8 +34,10 @@ roles:
     parameters: {vehicle: Obj, area: Text}
     automaton:
       block: s10
+      local: {side: valid-position()}
       content:
         - {task: pursue, type: follow, params: {target: vehicle}}
+        - {task: flank, type: follow, params: {target: vehicle, beside: side}}
         - {task: sweep, type: map-area, params: {area: area}}
         - {action: divide, modality: area-sharing, in: {area: area}}
         - {action: divide-the-whole-field, modality: area-sharing, in: {area: area}}

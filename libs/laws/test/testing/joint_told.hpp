@@ -159,6 +159,26 @@ class Told {
     airborne_ = true;
     return *this;
   }
+  /// Who watches follows P1 by task f1, for as long as asked.
+  Told& follows() {
+    interaction::Library library = *scenario_.interaction;
+    interaction::Task following{"follow", {}};
+    following.parameters.kind = config::Value::Kind::kMap;
+    config::Value target;
+    target.kind = config::Value::Kind::kScalar;
+    target.scalar = "what";
+    following.parameters.entries.push_back({"target", target});
+    const interaction::TimeIs::Event runs{1, interaction::AskedState::kRunning};
+    interaction::Block until;
+    until.exit = {{{interaction::TimeIs{{}, runs, true, "seconds"}}}};
+    interaction::Automaton role;
+    role.add({"w0", 0, until, "", 0});
+    role.add({"f1", 0, following, "", 0});
+    library.roles["watch"].automaton = role;
+    library.models["watching"].variants.front().table.parameters["watch"]["what"] = "front";
+    scenario_.interaction = std::make_shared<const interaction::Library>(library);
+    return *this;
+  }
   /// Who watches spreads anew when it is called to.
   Told& spreads() {
     interaction::Library library = *scenario_.interaction;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -11,10 +12,11 @@
 namespace skein::model_tool {
 
 struct RunOptions {
-  std::string automaton;             ///< file, YAML or JSON (spec 7.8), or a library with roles
-  std::string role;                  ///< --role NAME: of a library with several
-  std::optional<MissionTime> until;  ///< --until S: play on to S after the last line
-  std::string input_name;            ///< for messages; empty: standard input
+  std::string automaton;              ///< file, YAML or JSON (spec 7.8), or a library with roles
+  std::string role;                   ///< --role NAME: of a library with several
+  std::map<std::string, double> set;  ///< --set NAME=S: parameters that conditions on time name [s]
+  std::optional<MissionTime> until;   ///< --until S: play on to S after the last line
+  std::string input_name;             ///< for messages; empty: standard input
 };
 
 /// Reads inputs as JSON lines from `in`, answers each at once with lines of effects on `out`

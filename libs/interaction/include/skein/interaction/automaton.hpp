@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -96,5 +98,12 @@ class Automaton {
   std::vector<Componel> componels_;
   std::unordered_map<std::string, ComponelIndex> indices_;
 };
+
+/// Names of parameters that conditions on time take their seconds from.
+std::set<std::string> named_times(const Automaton& automaton);
+
+/// The same automaton with these seconds, by name, in such conditions; beyond what a time can be
+/// they count as its ends, no number as none. Names that are not there stay.
+Automaton with_times(Automaton automaton, const std::map<std::string, double>& seconds);
 
 }  // namespace skein::interaction

@@ -29,6 +29,9 @@ struct MessagePending {
   bool operator==(const MessagePending&) const = default;
 };
 
+/// The farthest that seconds in a condition reach [s]: just inside the range of nanoseconds.
+inline constexpr double kLatestTime = 9.2e9;
+
 /// The instant `since` + `after` has passed, i.e. is not in the future (`passed`), or has not
 /// passed. An instant after an event that has not happened in this activation has not passed.
 /// Source: T def. V.13, spec 7.8.
@@ -48,6 +51,8 @@ struct TimeIs {
   Duration after;
   std::variant<Epoch, ModelStart, Event> since;
   bool passed = true;
+  /// The parameter of the role that says `after` (with_times()); empty: it is said already.
+  std::string named = {};
   bool operator==(const TimeIs&) const = default;
 };
 

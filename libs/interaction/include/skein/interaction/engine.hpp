@@ -42,6 +42,7 @@ namespace skein::interaction {
 /// V.4.2, figures V.8 and V.9, spec 7.2, 7.8.
 class Engine {
  public:
+  /// Precondition: no condition names its seconds any more (with_times()).
   explicit Engine(std::shared_ptr<const Automaton> automaton);
   ~Engine();
   Engine(Engine&&) noexcept;
