@@ -28,7 +28,7 @@ void Core::Inputs::operator()(const Started& started) const {
 
 void Core::Inputs::operator()(const Resumed&) const {
   core_.partners_.resume(core_.bus_.now());
-  core_.interaction_.resume();
+  core_.interaction_.refusals().resume(core_.bus_.now());
   core_.execution_.run(executive::Tick{.after_silence = true});
 }
 

@@ -108,8 +108,6 @@ void Interaction::given_up(const mission::HighLevelTask& goal, const std::string
   if (joint && std::ranges::none_of(tasks_, is_it)) strange_.decline(*joint, why);
 }
 
-void Interaction::resume() { refusals_.resume(host_.bus().now()); }
-
 std::optional<MissionTime> Interaction::engaged_until(executive::TaskId task) const {
   std::optional<MissionTime> until;
   for (const executive::TaskId earlier : host_.joint_tasks_before(task)) {

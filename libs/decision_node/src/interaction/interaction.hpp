@@ -28,8 +28,6 @@ class Interaction final : public Component {
 
   /// To be called first: promises made in an earlier life of the node are not known.
   void start();
-  /// Nothing was heard until now, as after a restart.
-  void resume();
   /// Operator 4: negotiates roles and start, then answers the supervisor.
   void load(const supervisor::LoadJointTask& asked);
   /// The executive starts a joint task, or interrupts it.
@@ -63,7 +61,7 @@ class Interaction final : public Component {
   bool begin(const Joint& joint, interaction::BeginNegotiation negotiation);
   void withdraw(const std::string& subject, const std::string& why);
   Partners& partners() { return host_.partners(); }
-  const PartnerRefusals& refusals() const { return refusals_; }
+  PartnerRefusals& refusals() { return refusals_; }
   /// What partners ask for that is not asked for here.
   const StrangeRequests& strange() const { return strange_; }
   /// Until when at most this UAV waits for joint tasks that come before this one in its plan and

@@ -98,7 +98,7 @@ class Refused : public Attempts {
     heliv_is(JointPhase::kNotLoaded);
     run(11, 20);
     at(300);
-    interaction.resume();
+    interaction.refusals().resume(host.bus().now());
   }
   void heliv_is(JointPhase phase) {
     JointTaskTold told;

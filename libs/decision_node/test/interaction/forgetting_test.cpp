@@ -32,7 +32,7 @@ class Refusals : public ::testing::Test {
     told.at = host.bus().now();
     interaction.hear(told);
   }
-  bool is_known(const std::string& joint) const {
+  bool is_known(const std::string& joint) {
     return interaction.refusals().of(joint, "heliv") != nullptr;
   }
 
