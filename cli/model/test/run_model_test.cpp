@@ -96,9 +96,9 @@ class RunModelOfEscorts : public RunModel {
 };
 
 TEST_F(RunModelOfEscorts, ItFollowsForAsLongAsAsked) {
-  EXPECT_NE(escort({{"duration", 100}}).out.find(R"({"at": 130, "interrupt": "t71"})"),
+  EXPECT_NE(escort({{"duration", 100}}).out.find(R"({"at": 120, "interrupt": "t71"})"),
             std::string::npos);
-  EXPECT_NE(escort({{"duration", 600}}).out.find(R"({"at": 630, "interrupt": "t71"})"),
+  EXPECT_NE(escort({{"duration", 600}}).out.find(R"({"at": 620, "interrupt": "t71"})"),
             std::string::npos);
 }
 
